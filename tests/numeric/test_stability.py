@@ -412,8 +412,8 @@ SWING = """nhc: 1
 system: swing
 coordinates: [a, y]
 T: (a'^2 + y'^2)/2
-V: -100^2*cos(a) + 0.1^2*y^2/2
-scenes: {a: {initial: {a: 3, y: 1}, time: [0, 12]}}
+V: -100^2*cos(a) + 0.05^2*y^2/2
+scenes: {a: {initial: {a: 3, y: 1}, time: [0, 14]}}
 """
 
 
@@ -421,8 +421,33 @@ def test_what_decays_as_fast_as_it_grows_is_not_stiff() -> None:
     """A pendulum beside a slow spring decays by exp(-100 t) at its top, and leaves it as fast."""
     found = stability(Source("swing.yaml", SWING), Question(lengths=1))
     text = "\n".join(lines(found))
-    assert found.stiffness is not None and found.stiffness > 500
-    assert "not stiff" in text and "take radau5" not in text
+    assert found.stiffness is not None and found.stiffness > 1000
+    assert "not stiff: accuracy asks for shorter steps still" in text and "take radau5" not in text
+
+
+HELD = """nhc: 1
+system: held
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+V: 2^2*y^2/2 + 1e4*(x - y)^2/2
+forces: {x: -1000*(x' - y'), y: 1000*(x' - y')}
+scenes: {a: {initial: {x: 1, y: 1, y': 0.5}, time: [0, 10]}}
+"""
+
+
+def test_stability_that_limits_steps_a_little_is_said() -> None:
+    """dop853 takes 3142 steps of 6.3 times the fastest time of decay, radau5 half as many."""
+    found = stability(Source("held.yaml", HELD), Question(lengths=1))
+    assert found.held and "stability limits the steps, but those of radau5 are not 10 times" in "\n".join(lines(found))
+
+
+def test_rounding_is_no_decay() -> None:
+    found = stability(Source("swing.yaml", SWING.replace("a: 3", "a: 0.1")), Question(lengths=1))
+    assert (
+        found.spectrum is not None
+        and found.spectrum.decay == 0.0
+        and len(set(np.diff(found.spectrum.times).round(12))) == 1
+    )
 
 
 def test_distances_see_the_singular_dependent_choice() -> None:

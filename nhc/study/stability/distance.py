@@ -25,7 +25,9 @@ from nhc.study.stability.bench import Bench
 NEAR = 0.03
 """Below this a choice is called weak, as in :mod:`nhc.mechanics.regular.regularity`."""
 _LOOKED, _DIPS = 0.3, 3  # what is looked at between rows: distances below, and so many of the lowest
-_PARTS, _ROUNDS, _GAINED = 21, 10, 0.99
+_PARTS, _ROUNDS, _GAINED = 21, 14, 0.99
+SINGULAR_THERE = 1e-13
+"""A distance of rounding."""
 
 
 @record
@@ -38,6 +40,13 @@ class Distance:
     t: float
     series: tuple[float, ...]
     used: bool = True
+
+
+def judge_distance(distance: Distance, sound: bool) -> str:
+    """How near it is, in words; a divisor may be small against its scale only, where its coframe is ``sound``."""
+    if distance.least >= NEAR or (distance.kind == "guard" and sound):
+        return ""
+    return ", singular" if distance.least < SINGULAR_THERE else ", weak"
 
 
 Measure = Callable[[Matrix], Sequence[float]]

@@ -12,6 +12,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.starts.scenes import Start, start_of
 from nhc.records import record
 from nhc.simulate.requests import find_scene
+from nhc.simulate.stiffness import HELD, IMPLICIT, PAYS
 from nhc.study.stability.bench import Bench, open_bench
 from nhc.study.stability.conduct import conduct
 from nhc.study.stability.distance import NEAR, Distance, distances
@@ -67,6 +68,18 @@ class Laboratory:
     failed: str
     conduct: tuple[str, ...] = ()
     changes: tuple[str, ...] = ()
+    held: bool = False
+    """Whether stability, and not accuracy, is what limits the steps of ``dop853``; looked at where the stiffness is large."""
+
+    def tell_stiffness(self) -> str:
+        """What the stiffness ratio means: what decays fast at one place may oscillate or grow as fast at another."""
+        if (self.stiffness or 0.0) <= STIFF:
+            return "not stiff"
+        if self.stopped or any(IMPLICIT in note for note in self.conduct):
+            return f"stiff: take {IMPLICIT}"
+        if self.held:
+            return f"stability limits the steps, but those of {IMPLICIT} are not {PAYS:.0f} times as long"
+        return "not stiff: accuracy asks for shorter steps still"
 
     @property
     def stopped(self) -> bool:
@@ -119,8 +132,16 @@ def examine(equations: Equations, formulation: Formulation, question: Question, 
     show(0.9, "distance from singular points")
     near = attempt("distances", lambda: distances(bench)) or ()
     found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")
-    troubled = (found.stiffness or 0.0) > STIFF or any(d.least < NEAR for d in near if d.used)
-    return replace(found, conduct=conduct(bench)) if troubled else found
+    stiff = (found.stiffness or 0.0) > STIFF
+    if not stiff and not any(d.least < NEAR for d in near if d.used):
+        return found
+    return replace(found, conduct=conduct(bench), held=stiff and along is not None and _is_held(bench, along))
+
+
+def _is_held(bench: Bench, along: Spectrum) -> bool:
+    """Whether the mean step of dop853 is as long as stability allows beside the fastest decay."""
+    outcome = bench.integrate("dop853", bench.job.time)
+    return outcome.steps > 0 and along.decay * bench.duration / outcome.steps > HELD["dop853"]
 
 
 def examine_whole(

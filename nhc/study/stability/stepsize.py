@@ -20,12 +20,14 @@ from nhc.records import record
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.outcomes import name_outcome
+from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE
 from nhc.study.linearization.units import Matrix
 from nhc.study.stability.bench import Bench
 
 GROWTH = 10.0
 _PLACES = 25  # Jacobians along the scene
+_ROUNDING = 1e-13  # of the fastest rate: a decay that is slower is none
 _SEEDS = 50  # and at ends of steps, from the largest of which the largest is sought
 _BISECTIONS = 7
 _ROWS = 65
@@ -63,7 +65,8 @@ class Spectrum:
     @property
     def decay(self) -> float:
         """The largest rate of decay."""
-        return float(np.max(-self.values.real, initial=0.0)) + 0.0  # no -0
+        largest = float(np.max(-self.values.real, initial=0.0))
+        return largest if largest > _ROUNDING * self.fastest else 0.0
 
     @property
     def slowest(self) -> float:
@@ -74,13 +77,14 @@ class Spectrum:
 
 
 def spectrum(bench: Bench) -> Spectrum:
-    """Eigenvalues along the scene, at equally spaced rows of the reference, those left out where the Jacobian has no value.
+    """Eigenvalues along the scene, at equally spaced times, those left out where the Jacobian has no value.
 
     Raises:
         ArithmeticError: the scene fails, or the Jacobian has no value at any of them.
     """
-    picked = sorted({round(k * (len(bench.times) - 1) / (_PLACES - 1)) for k in range(_PLACES)})
-    found = {bench.times[k]: np.linalg.eigvals(slopes) for k in picked if (slopes := bench.jacobian_at(k)) is not None}
+    times = list_times(*bench.job.time, _PLACES)
+    places = zip(times, bench.follow(times, bench.job.y).states, strict=False)
+    found = {t: np.linalg.eigvals(slopes) for t, y in places if (slopes := bench.slopes(t, y)) is not None}
     if not found:
         raise ArithmeticError("the Jacobian has no value along the scene")
     values = np.array(list(found.values()), dtype=complex)

@@ -6,13 +6,12 @@ import math
 from typing import Any
 
 from nhc.records import record
-from nhc.simulate.stiffness import IMPLICIT
-from nhc.study.linearization.field import RANK, SINGULAR
+from nhc.study.linearization.field import SINGULAR
 from nhc.study.linearization.linearize import Mode, eigenvalues, modes, verdict
 from nhc.study.linearization.sweep import Sweep
-from nhc.study.stability.distance import NEAR, Distance
+from nhc.study.stability.distance import NEAR, SINGULAR_THERE, judge_distance
 from nhc.study.stability.drift import Drift, LongRun
-from nhc.study.stability.laboratory import STIFF, Laboratory
+from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.motions import Motion
 from nhc.study.stability.sensitivity import Sensitivity
 
@@ -154,15 +153,11 @@ def _spectrum(lab: Laboratory, unit: str) -> list[Row]:
     found, stiff = lab.spectrum, lab.stiffness
     if found is None or stiff is None:
         return []
-    remark = "not stiff"
-    if stiff > STIFF:  # what decays fast may also oscillate or grow as fast, and be followed
-        taken = lab.stopped or any(IMPLICIT in note for note in lab.conduct)
-        remark = f"stiff: take {IMPLICIT}" if taken else "not stiff: accuracy asks for shorter steps still"
     # adding zero takes the sign off a zero
     return [
         Row("fastest |lambda|", f"{found.fastest:.4g}", f"at t = {time_of(found.when, unit)}"),
         Row("fastest decay", f"{found.decay:.4g}", f"at {len(found.times)} equally spaced times"),
-        Row("stiffness ratio", f"{stiff:.4g}", remark),
+        Row("stiffness ratio", f"{stiff:.4g}", lab.tell_stiffness()),
     ]
 
 
@@ -249,22 +244,11 @@ def _distances(lab: Laboratory) -> list[Row]:
     return [
         Row(
             d.what,
-            "0" if d.least < RANK else f"{d.least:.4g}",
-            f"at t = {time_of(d.t, unit)}{_judge(d, sound)}",
+            "0" if d.least < SINGULAR_THERE else f"{d.least:.4g}",
+            f"at t = {time_of(d.t, unit)}{judge_distance(d, sound)}",
         )
         for d in lab.distances
     ]
-
-
-def _judge(distance: Distance, sound: bool) -> str:
-    if distance.least >= NEAR or _is_small(distance, sound):
-        return ""
-    return ", singular" if distance.least < RANK else ", weak"
-
-
-def _is_small(d: Distance, sound: bool) -> bool:
-    """Whether a divisor is small against its scale only, and not where the coframe is weak."""
-    return d.kind == "guard" and sound
 
 
 def tree(lab: Laboratory) -> dict[str, Any]:
