@@ -339,6 +339,8 @@ def _hypotheses(system: System, choice: Choice, facts: Facts) -> None:
     except ArithmeticError:
         return
     text = "; ".join(map(mark_letters, found.broken)) if found.broken else "all hold"
+    if found.broken and not found.fatal:
+        text += "; the generalized equations (III.3) hold without these"
     if other.dependent != choice.dependent:
         names = [f"{system.q_names[i]}'" for i in other.dependent]
         text = f"with {_list_marked(names)} dependent, {text}"
