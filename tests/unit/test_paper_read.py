@@ -122,7 +122,8 @@ def test_a_coordinate_in_the_reason_is_set_as_one_and_a_determinant_as_a_product
     assert r"on axes that turn with $\varphi$, which" in latex
     text = print_derivation(derive(TYRE, "voronec"))
     assert "determinant (r + R*cos(theta))*(R + r*cos(theta))" in " ".join(text.split())
-    assert "Delta = yawed_z*(R + r*cos(theta))" in text
+    assert "Delta = (r + R*cos(theta))*(R + r*cos(theta))" in text
+    assert "yawed_z" not in text  # it is as long, and no height in what moves along the ground
 
 
 SOLVED = (
