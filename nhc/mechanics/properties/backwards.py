@@ -21,13 +21,13 @@ _WIDEST = 76
 _RESIDUE, _SUM = 61, 20
 
 
-class Backwards:
-    """The sweep; ``factors`` are the nodes whose series it takes, ``held`` the symbols of a row's entries."""
+class LinearSteps:
+    """How roots that are linear in ``held`` symbols are computed where a number stands for each of these, many entries one after
+    another; ``factors`` are the nodes that they are multiplied with.
+    """
 
-    def __init__(self, graph: Graph, field: Sequence[Node], variables: Sequence[Node]) -> None:
-        self.graph = graph
-        self.held = [graph.symbol(f"row {k}", "other") for k in range(len(variables))]
-        self.roots = pullback_gradient(graph, list(zip(field, self.held, strict=True)), variables)
+    def __init__(self, graph: Graph, roots: Sequence[Node], held: Sequence[Node]) -> None:
+        self.graph, self.roots, self.held = graph, list(roots), list(held)
         mask, deps = graph.mask(self.held), graph.deps
         self.steps: list[tuple[str, Node, Node, Node]] = []
         self.bits, self.squeezed = dict.fromkeys(self.held, _RESIDUE), set[Node]()
@@ -44,7 +44,7 @@ class Backwards:
             elif kind == ADD:
                 self.bits[node] = max(self.bits[x], self.bits[y]) + 1
             else:
-                assert kind == NEG, f"a row's entries are linear, and `{kind}` is not"
+                assert kind == NEG, f"a linear form has no `{kind}`"
                 y = x
                 self.bits[node] = self.bits[x] + 1
             self.steps.append((kind, node, x, y))
@@ -58,6 +58,23 @@ class Backwards:
             self.squeezed.add(node)
             self.bits[node] = _RESIDUE
 
+    def lifts(self, size: int, prime: int) -> dict[Node, int]:
+        """For what is a negative: multiples of the prime in each of ``size`` entries from which it is taken."""
+        ones = pack([1] * size, WIDTH)
+        return {
+            node: ones * (prime << max(self.bits[x] - prime.bit_length() + 1, 0))
+            for kind, node, x, _ in self.steps
+            if kind == NEG
+        }
+
+
+class Backwards(LinearSteps):
+    """The sweep; ``factors`` are the nodes whose series it takes, ``held`` the symbols of a row's entries."""
+
+    def __init__(self, graph: Graph, field: Sequence[Node], variables: Sequence[Node]) -> None:
+        held = [graph.symbol(f"row {k}", "other") for k in range(len(variables))]
+        super().__init__(graph, pullback_gradient(graph, list(zip(field, held, strict=True)), variables), held)
+
 
 class Sweep:
     """The sweep along one path: ``rows`` are the series of each column of the matrix, to which terms are added from outside."""
@@ -69,12 +86,7 @@ class Sweep:
         graph, values = plan.graph, jets.values
         self.jets = {y: jets.series[y] for y in plan.factors if graph.deps[y] & moving}
         self.still = {y: values[y] for y in plan.factors if y not in self.jets}
-        ones = pack([1] * self.size, WIDTH)
-        self.lifts = {
-            node: ones * (jets.prime << max(plan.bits[x] - jets.prime.bit_length() + 1, 0))
-            for kind, node, x, _ in plan.steps
-            if kind == NEG
-        }
+        self.lifts = plan.lifts(self.size, jets.prime)
 
     def extend(self, k: int) -> list[list[list[int]]]:
         """The coefficients of z^k of the matrix times each column of the Jacobian matrix: by column, monomial and row."""

@@ -30,6 +30,7 @@ from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.walks import reachable
 from nhc.mechanics.properties.backwards import Backwards, Sweep
+from nhc.mechanics.properties.forwards import Forwards
 
 Field = tuple[Node, ...]
 Vector = list[int]
@@ -80,11 +81,11 @@ def terminal_rank(
     combination: Combination | None = None,
 ) -> int:
     """The last rank of the growth vector; the others are not asked for where the brackets of one path fill the space."""
-    flag = _Flag(graph, variables, fields, combination)
+    path = Forwards(graph, variables, fields, _mix(graph, fields, combination)[0])
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
-    for _, point in islice(draw_points(graph, flag.plan.nodes, primes_of(graph)[0], seeds, settle=settle), 1):
+    for _, point in islice(draw_points(graph, path.plan.nodes, primes_of(graph)[0], seeds, settle=settle), 1):
         try:
-            if flag.fills(point):
+            if path.fills(point):
                 return len(variables)
         except Unlucky:
             continue
@@ -98,6 +99,16 @@ def most_brackets(letters: int, length: int) -> int:
     return int(letters**length - inner) // length
 
 
+def _mix(
+    graph: Graph, fields: Sequence[Field], combination: Combination | None
+) -> tuple[tuple[Node, ...], tuple[Node, ...]]:
+    """The fields' combination and its weights."""
+    if combination is not None:
+        return tuple(combination[0]), tuple(combination[1])
+    weights = tuple(graph.symbol(f"weight {k}", "other") for k in range(len(fields)))
+    return tuple(graph.dot(weights, column) for column in zip(*fields, strict=True)), weights
+
+
 class _Flag:
     """The fields, their combination with weights, and its Jacobian matrix."""
 
@@ -105,11 +116,7 @@ class _Flag:
         self, graph: Graph, variables: Sequence[Node], fields: Sequence[Field], combination: Combination | None
     ) -> None:
         self.variables, self.fields = tuple(variables), tuple(fields)
-        if combination is None:
-            weights = [graph.symbol(f"weight {k}", "other") for k in range(len(fields))]
-            columns = [[field[i] for field in fields] for i in range(len(variables))]
-            combination = tuple(graph.dot(weights, column) for column in columns), weights
-        self.mixed, self.weights = tuple(combination[0]), tuple(combination[1])
+        self.mixed, self.weights = _mix(graph, fields, combination)
         self.nodes = [x for field in (*fields, self.mixed) for x in field]
         self.backwards = Backwards(graph, self.mixed, self.variables)
         self.plan = plan_jets(graph, [*self.nodes, *self.backwards.factors], (*self.variables, *self.weights))
@@ -145,21 +152,6 @@ class _Flag:
                 return found
             missing = self._more(found, missing)
         raise Unlucky
-
-    def fills(self, point: FieldPoint) -> bool:
-        """Whether brackets with the field that leads along a path fill the space; if not, other brackets may.
-
-        Raises:
-            Unlucky: the point lies on a pole.
-        """
-        path, rows, before = _Path(self, point, 0, probed=False), list[tuple[int, Vector]](), -1
-        while before < len(rows) < len(self.variables):
-            if before >= 0:
-                path.extend()
-            before = len(rows)
-            for vector in path.vectors():
-                extend_echelon(rows, vector, path.prime)
-        return len(rows) == len(self.variables)
 
     def _seems_free(self, ranks: Sequence[int], missing: int) -> bool:
         """Whether all brackets were independent for long, and the path is too poor to show more of them."""
