@@ -128,8 +128,36 @@ def test_zeros_that_stay_hide_no_crossing(sweep: tuple[str, float, float, int]) 
 def test_a_change_without_a_crossing_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(sweep_module, "_static", lambda *_: [])
+    monkeypatch.setattr(sweep_module._Static, "between", lambda *_: [])
     spec = tmp_path / "tangled.yaml"
     spec.write_text(f"{TANGLED}scenes: {{s: {{time: [0, 1]}}}}\n")
     assert main(["linearize", str(spec), "--about", "x=0", "--sweep", "k=-1.1:1.9:4"]) == 0
     assert "between -0.1 and 0.9: another number of eigenvalues grows" in capsys.readouterr().out
+
+
+TOUCHED = """nhc: 1
+system: touched
+coordinates: [x]
+parameters: {a: 1, c: 0.1}
+T: x'^2/2
+V: a^2*(a - 0.3)*x^2/2
+forces: {x: -c*x'}
+"""
+
+
+@pytest.mark.parametrize(
+    ("sweep", "values"),
+    [
+        (("a", -1.0, 1.0, 5), [0.3]),  # 0 is a value of the sweep, where an eigenvalue touches zero and turns back
+        (("a", -1.0, 1.0, 4), [0.3]),  # and where it is none
+        (("a", -1.0, 0.5, 6), [0.3]),
+        (("a", 0.3, 1.0, 3), [0.3]),  # the crossing is an end of the sweep
+        (("a", -0.5, 0.3, 5), [0.3]),
+        (("a", -1.0, 0.0, 3), []),
+    ],
+)
+def test_a_zero_that_is_touched_is_no_crossing(sweep: tuple[str, float, float, int], values: list[float]) -> None:
+    found = linearize(Source("touched.yaml", TOUCHED), Request("x=0", sweep=sweep), Options())
+    assert found.swept is not None and found.swept.unlocated == ()
+    assert [c.value for c in found.swept.crossings] == pytest.approx(values, abs=1e-9)
+    assert not any(c.unstable_above for c in found.swept.crossings)

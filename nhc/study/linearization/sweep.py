@@ -12,18 +12,18 @@ from nhc.records import record
 from nhc.study.linearization.field import RANK, Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
+from nhc.study.linearization.narrowing import End, narrow
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.units import Matrix
-
-_STEPS = 150
-_DIGITS = 32.0
-"""Units in the last place of a crossing, of which rounding decides in eigenvalues."""
 
 _ROUNDED = 1e-11
 """Of the largest value of a sweep: a crossing this near to zero is there, for eigenvalues are not known better."""
 
 _NEAR = 1e-5
 """Part of an interval in which a growth of the size of the eigenvalues does not come to nothing."""
+
+_BESIDE = 1e-3
+"""Part of the way to a neighbour at which a zero has a sign."""
 
 _ZERO = "an eigenvalue passes zero"
 
@@ -96,35 +96,112 @@ def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
             raise NotSteady(f"at {value:.10g}: {error}", error.residual, entries=error.entries) from None
     branch.family = min((point.family for point in points), default=0)
     points = [linearise_at(branch._model(v)[0], p.steady, branch.family) for v, p in zip(values, points, strict=True)]
+    chains = [_chain(point.core) for point in points]
+    static = _Static(branch, [min(counts) for counts in zip(*chains, strict=False)])
     least = _ROUNDED * max(map(abs, values), default=0.0)
     found = tuple(
-        replace(one, value=0.0) if abs(one.value) <= least else one for one in crossings(branch, values, points)
+        replace(one, value=0.0) if abs(one.value) <= least else one for one in crossings(static, values, points)
     )
-    return Sweep(tuple(values), tuple(points), found, _unlocated(values, points, found))
+    return Sweep(tuple(values), tuple(points), found, _unlocated(static, values, points, found))
 
 
 def _unlocated(
-    values: Sequence[float], points: Sequence[Linearisation], found: Sequence[Crossing]
+    static: _Static, values: Sequence[float], points: Sequence[Linearisation], found: Sequence[Crossing]
 ) -> tuple[tuple[float, float], ...]:
     return tuple(
         (low, high)
         for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False)
-        if _grow(a) != _grow(b) and not any(min(low, high) <= crossing.value <= max(low, high) for crossing in found)
+        if _grow(a) != _grow(b)
+        and not any(min(low, high) <= crossing.value <= max(low, high) for crossing in found)
+        and _grow(static.inside(low, a, high)) != _grow(static.inside(high, b, low))
     )
 
 
-def crossings(branch: Branch, values: Sequence[float], points: Sequence[Linearisation]) -> tuple[Crossing, ...]:
+def crossings(static: _Static, values: Sequence[float], points: Sequence[Linearisation]) -> tuple[Crossing, ...]:
     """Where the sign of the core's determinant or the number of growing oscillations changes."""
     found = []
-    chains = [_chain(point.core) for point in points]
-    zeros = [min(counts) for counts in zip(*chains, strict=False)]  # zero all along: no crossing, and no sign
     for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False):
-        found += [*_static(branch, zeros, low, high, a, b), *_oscillatory(branch, low, high, a, b)]
-    signs = [_told(_without(point.core, zeros)) for point in points]
-    for k in range(1, len(points) - 1):
-        if signs[k] == 0.0 and signs[k - 1] * signs[k + 1] < 0.0:
-            found.append(Crossing(values[k], _ZERO, 0.0, 0.0, _grow(points[k + 1]) > _grow(points[k - 1])))
+        found += [*static.between((low, a), (high, b)), *_oscillatory(static.branch, low, high, a, b)]
+    for k, (value, point) in enumerate(zip(values, points, strict=True)):
+        found += static.at(value, point, values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)])
     return tuple(sorted(found, key=lambda crossing: crossing.value))
+
+
+class _Static:
+    """Crossings of real eigenvalues.  ``zeros`` are as many as there are all along: they cross nothing, and leave no sign.
+
+    Where a value is a zero itself, which may be passed or only touched, the signs a little beside it tell.
+    """
+
+    def __init__(self, branch: Branch, zeros: Sequence[int]) -> None:
+        self.branch, self.zeros = branch, zeros
+
+    def told(self, made: Linearisation) -> float:
+        """The sign of the core's determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
+        core = _without(made.core, self.zeros)
+        sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
+        return _sign(core) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
+
+    def beside(self, value: float, toward: float) -> tuple[float, Linearisation] | None:
+        """A little way from a value; None where the branch has ended."""
+        near = value + _BESIDE * (toward - value)
+        try:
+            return near, self.branch(near)
+        except NotSteady:
+            return None
+
+    def inside(self, value: float, made: Linearisation, toward: float) -> Linearisation:
+        """A value's linearisation, or where that is a zero the one a little beside it."""
+        near = None if self.told(made) else self.beside(value, toward)
+        return made if near is None else near[1]
+
+    def at(self, value: float, made: Linearisation, before: float, after: float) -> list[Crossing]:
+        """The crossing at a value of the sweep, if there is one; at its ends the branch is followed a little beyond."""
+        if self.told(made):
+            return []
+        sides = [self.beside(value, other) for other in (before, after) if other != value]
+        if len(sides) == 1:
+            sides.insert(0 if before == value else 1, self.beside(value, 2.0 * value - (after + before - value)))
+        if None in sides or len(sides) < 2:
+            return []
+        (_, left), (_, right) = (side for side in sides if side is not None)
+        if self.told(left) * self.told(right) >= 0.0:
+            return []
+        return [Crossing(value, _ZERO, 0.0, 0.0, _grow(right) > _grow(left))]
+
+    def between(self, first: tuple[float, Linearisation], last: tuple[float, Linearisation]) -> list[Crossing]:
+        """The crossing between two values, which may be zeros themselves."""
+        ends = [first, last]
+        for k, (value, made) in enumerate(ends):
+            if not self.told(made):
+                moved = self.beside(value, ends[1 - k][0])
+                if moved is None:
+                    return []
+                ends[k] = moved
+        (low, a), (high, b) = ends
+        sign = self.told(a)
+        if sign * self.told(b) >= 0:
+            return []
+
+        passed = False
+
+        def judge(value: float, made: Linearisation) -> tuple[bool, float]:
+            nonlocal passed
+            core = _without(made.core, self.zeros)
+            if not passed and not self.told(made):  # a zero that is only touched has the same sign on both sides
+                sides = [self.beside(value, end) for end in (low, high)]
+                signs = {self.told(side[1]) for side in sides if side is not None}
+                passed = len(signs) > 1
+                if not passed and None not in sides:
+                    return signs == {sign}, _determinant(core)
+            return _sign(core) == sign, _determinant(core)
+
+        sides = tuple(
+            End(value, made, like, _determinant(_without(made.core, self.zeros)))
+            for value, made, like in ((low, a, True), (high, b, False))
+        )
+        low, high = (end.value for end in narrow(self.branch, (sides[0], sides[1]), judge))
+        return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]
 
 
 def _chain(core: Matrix) -> list[int]:
@@ -150,29 +227,6 @@ def _without(core: Matrix, zeros: Sequence[int]) -> Matrix:
 
 def _sign(core: Matrix) -> float:
     return float(np.linalg.slogdet(core)[0]) if len(core) else 1.0
-
-
-def _told(core: Matrix) -> float:
-    """The sign of the core's determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
-    sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
-    return _sign(core) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
-
-
-def _static(
-    branch: Branch, zeros: Sequence[int], low: float, high: float, a: Linearisation, b: Linearisation
-) -> list[Crossing]:
-    before, after = (_without(made.core, zeros) for made in (a, b))
-    first = _told(before)
-    if first * _told(after) >= 0:
-        return []
-
-    def judge(made: Linearisation) -> tuple[bool, float]:
-        core = _without(made.core, zeros)
-        return _sign(core) == first, _determinant(core)
-
-    ends = _End(low, a, True, _determinant(before)), _End(high, b, False, _determinant(after))
-    low, high = (end.value for end in _narrow(branch, ends, judge))
-    return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]
 
 
 def _grow(made: Linearisation) -> int:
@@ -211,16 +265,16 @@ def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: L
 
     first = before == least
 
-    def judge(made: Linearisation) -> tuple[bool, float]:
+    def judge(_: float, made: Linearisation) -> tuple[bool, float]:
         return (len(_pairs(made, strict)) >= least) == first, _growth(made, strict, least)
 
-    def jumps(one: _End, other: _End) -> bool:
+    def jumps(one: End, other: End) -> bool:
         """Whether a growth is left that no crossing has so near to it, for it goes through zero there."""
         end = one if one.like == first else other
         near = abs(one.value - other.value) <= _NEAR * (high - low)
         return near and not conservative and end.size > 0.01 * (1.0 / end.made.tick + _fastest(end.made))
 
-    ends = _narrow(branch, (_End(low, a, True, judge(a)[1]), _End(high, b, False, judge(b)[1])), judge, jumps)
+    ends = narrow(branch, (End(low, a, True, judge(low, a)[1]), End(high, b, False, judge(high, b)[1])), judge, jumps)
     inner = ends[0 if first else 1].made
     pairs = sorted(_pairs(inner, strict), key=lambda x: x.real)
     # where a pair becomes two real eigenvalues it does not cross the axis
@@ -248,74 +302,3 @@ def _growth(made: Linearisation, strict: bool, count: int) -> float:
 
 def _fastest(made: Linearisation) -> float:
     return max((abs(mode.value) for mode in modes(made)), default=0.0)
-
-
-@record
-class _End:
-    """One end of an interval with a crossing: whether it is ``like`` the low one, and a ``size`` that vanishes at a crossing."""
-
-    value: float
-    made: Linearisation
-    like: bool
-    size: float
-
-    @property
-    def signed(self) -> float:
-        return abs(self.size) if self.like else -abs(self.size)
-
-
-def _narrow(
-    branch: Branch,
-    ends: tuple[_End, _End],
-    judge: Callable[[Linearisation], tuple[bool, float]],
-    enough: Callable[[_End, _End], bool] = lambda one, other: False,
-) -> tuple[_End, _End]:
-    """The interval about a crossing, as narrow as rounding allows: the low end and the high one.
-
-    Which side a value is on is what ``judge`` counts; where to look next is told by the sizes (inverse quadratic interpolation,
-    Chandrupatla 1997), as long as the interval loses half of itself in three steps, else it is halved.  ``enough`` ends it before.
-    """
-    newest, across = ends[1], ends[0]
-    before, part, width, slow, close = ends[0], 0.5, abs(ends[1].value - ends[0].value), 0, 1.0
-    tiny = 1e-14 * max((abs(end.size) for end in ends if math.isfinite(end.size)), default=0.0)
-    for _ in range(_STEPS):
-        digit = max(math.ulp(newest.value), math.ulp(across.value))
-        value = newest.value + part * (across.value - newest.value)
-        if abs(across.value - newest.value) <= _DIGITS * digit or value in (newest.value, across.value):
-            break
-        made = branch(value)
-        found = _End(value, made, *judge(made))
-        if found.like == newest.like:
-            before = newest
-        else:
-            before, across = across, newest
-        newest = found
-        if enough(newest, across):
-            break
-        left = abs(across.value - newest.value)
-        width, slow = (left, 0) if left <= width / 2 else (width, slow + 1)
-        # next to a crossing rounding decides on the sides: from there on in steps that get longer
-        least = min(close * digit / left, 0.5)
-        part = _interpolated(before, newest, across, tiny) if slow < 3 or close > 1.0 else 0.5
-        close = 4.0 * close if not least < part < 1.0 - least else 1.0
-        part = min(max(part, least), 1.0 - least)
-    low, high = sorted((newest, across), key=lambda end: end.value)
-    return low, high
-
-
-def _interpolated(before: _End, newest: _End, across: _End, tiny: float) -> float:
-    """The part of the way from the newest end to the other one where the size vanishes, if the three tell; else a half.
-
-    A ``tiny`` size is zero but for rounding.
-    """
-    a, b, c = newest.signed, across.signed, before.signed
-    if min(abs(a), abs(b)) <= tiny:
-        return 0.0 if abs(a) <= abs(b) else 1.0
-    if a == b or c in (a, b) or before.value == across.value or not math.isfinite(a + b + c):
-        return 0.5
-    place = (newest.value - across.value) / (before.value - across.value)
-    size = (a - b) / (c - b)
-    if not (size**2 < place and (1.0 - size) ** 2 < 1.0 - place):
-        return 0.5
-    way = (before.value - newest.value) / (across.value - newest.value)
-    return a / (b - a) * c / (b - c) + way * a / (c - a) * b / (c - b)

@@ -130,6 +130,7 @@ def _least(bench: Bench, measure: Measure, series: Sequence[float]) -> tuple[flo
     grids: list[_Grid] = [(bench.times, bench.reference.tolist(), series)]
     try:
         times, states = bench.stations
+        times = times[: len(states)]
         grids.append((times, states, measure(bench.quantities(times, states))))
     except ArithmeticError:  # it has no value at one of them
         pass
@@ -150,6 +151,8 @@ def _refine(
         y, times = states[low], list_times(times[low], times[high], _PARTS)
         try:
             states = bench.follow(times, y).states
+            if len(states) < len(times):  # so near to one another that a run does not get from one to the next
+                break
             values = measure(bench.quantities(times, states))
         except ArithmeticError:  # it is singular there
             break
