@@ -210,7 +210,7 @@ class Shapes:
         if len(items.items) != 2:
             message = f"expected two numbers for {what}, found {len(items.items)}"
             only = items.items[0] if len(items.items) == 1 else None
-            parts = only.value.split() if isinstance(only, Text) else []
+            parts = re.split(r"[\s;]+", only.value.strip()) if isinstance(only, Text) else []
             help = f"write `[{parts[0]}, {parts[1]}]`" if len(parts) == 2 else "write `[low, high]`"
             if len(items.items) > 2:
                 help += "; decimal numbers are written with `.`"

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.stepping.watching import watch_start
 from nhc.simulate.task import CROSSED, DONE, EVENT, SINGULAR, STOPPED, UNDERFLOW, News, Outcome, Task
 
 SCIPY = {
@@ -28,6 +29,7 @@ WITH_JACOBIAN = ("scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-bdf")
 
 _SCOUTED, _SCOUTING = 1e-4, 500  # tolerance and steps of the run that tells how large entries become
 _ROUNDING = 1e-13  # of the largest entry
+_A_LITTLE = 1e-6  # of the run, after which an event that begins at zero has a sign
 
 
 class _Stopped(Exception):
@@ -75,8 +77,13 @@ class PeerModel(InterpretedModel):
     def _scipy(self, task: Task, method: str, rhs: Callable[..., Any], absolute: list[float]) -> Outcome:
         from scipy.integrate import solve_ivp
 
+        start = watch_start(self, task.times[0], task.y, task.p, self.events)
+        left = self._leave_zero(task, rhs) if 0.0 in start[: self.events] else start
+
         def watch(place: int) -> Callable[..., float]:
             def value(t: float, y: Any) -> float:
+                if t == task.times[0] and start[place] == 0.0 and place < self.events:
+                    return left[place]  # a zero at the start is no event, where SciPy sees one
                 return self.watch(t, y, task.p)[place]
 
             value.terminal = True  # type: ignore[attr-defined]
@@ -105,6 +112,11 @@ class PeerModel(InterpretedModel):
             t, y = float(found.t_events[which][0]), [float(x) for x in found.y_events[which][0]]
             kind = EVENT if which < self.events else CROSSED
         return Outcome(kind, which, t, y, 0.0, len(states), 0, int(found.nfev), int(found.njev), states)
+
+    def _leave_zero(self, task: Task, rhs: Callable[..., Any]) -> list[float]:
+        """The watched values a little after the start."""
+        t, h = task.times[0], _A_LITTLE * (task.times[-1] - task.times[0])
+        return self.watch(t + h, [y + h * f for y, f in zip(task.y, rhs(t, task.y), strict=True)], task.p)
 
     def _cvode(self, task: Task, method: str, rhs: Callable[..., Any], absolute: list[float]) -> Outcome:
         from sksundae.cvode import CVODE

@@ -9,6 +9,7 @@ import pytest
 
 from nhc.language import Source
 from nhc.simulate.opening import open_scene
+from nhc.simulate.peers import SCIPY
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.stepping.watching import may_dip
 
@@ -113,6 +114,16 @@ def test_what_begins_at_zero_leaves_it(expression: str, compiled: bool) -> None:
     for tolerance in (1e-4, 1e-5, 1e-7, 1e-9):
         job = open_scene(Source("circle.yaml", SLOW), until=expression, method="radau5")
         assert run(job, Settings("radau5", tolerance, 0.0, 11, compiled)).times[-1] > 1e-3
+
+
+@pytest.mark.parametrize("method", SCIPY)
+@pytest.mark.parametrize("expression", ["3*x - 1.8", "x - 0.6"])
+def test_solvers_from_elsewhere_leave_it_too(expression: str, method: str) -> None:
+    text = TEXT.replace("initial: {x: 1, y': 1}", "initial: {x: 0.6, x': 0.5}")
+    job = open_scene(Source("circle.yaml", text), until=expression, method=method)
+    found = run(job, Settings(method, 1e-9, 0.0, 11, True))
+    assert found.ended == "event"
+    assert found.times[-1] == pytest.approx(2 * math.atan2(0.5, 0.6), abs=1e-6)
 
 
 @pytest.mark.parametrize("compiled", [False, True])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from nhc.cli import main
@@ -14,6 +15,7 @@ from nhc.study.linearization import sweep as sweep_module
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.linearization.motion import Findings, Request
+from nhc.study.linearization.units import Matrix
 
 SPEC = """nhc: 1
 system: sled
@@ -161,3 +163,43 @@ def test_a_zero_that_is_touched_is_no_crossing(sweep: tuple[str, float, float, i
     assert found.swept is not None and found.swept.unlocated == ()
     assert [c.value for c in found.swept.crossings] == pytest.approx(values, abs=1e-9)
     assert not any(c.unstable_above for c in found.swept.crossings)
+
+
+MERGED = """nhc: 1
+system: merged
+coordinates: [x, y]
+parameters: {a: 0.1}
+T: (x'^2 + y'^2)/2
+V: x^2/2*(a - 0.5)*(a - 0.5)*a*(a - 0.75) + y^2/2
+forces: {x: y' - a*y, y: a*x - x'}
+"""
+APART = """nhc: 1
+system: apart
+coordinates: [x, y]
+parameters: {c: 0.1}
+T: (x'^2 + y'^2)/2 + 1.5*(x*y' - y*x')
+V: -x^2/2 - y^2
+forces: {x: -c*x', y: -c*y'}
+"""
+
+
+def test_growing_roots_that_merge_cross_nothing() -> None:
+    """Two real ones become a pair at a = 0.1487, far from the axis; one passes zero at 0.1024."""
+    found = linearize(Source("merged.yaml", MERGED), Request("x=0", sweep=("a", 0.05, 1.0, 5)), Options())
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    real = [value.real for value in np.linalg.eigvals(merged(crossing.value)) if abs(value) < 1e-6]
+    assert crossing.kind == "an eigenvalue passes zero" and len(real) == 1
+
+
+def merged(a: float) -> Matrix:
+    k = (a - 0.5) ** 2 * a * (a - 0.75)
+    return np.array([[0, 0, 1, 0], [0, 0, 0, 1], [-k, -a, 0, 1], [a, -1, -1, 0]])
+
+
+def test_two_pairs_that_cross_at_one_value_do_not_meet() -> None:
+    found = linearize(Source("apart.yaml", APART), Request("x=0", sweep=("c", -0.2, 0.2, 5)), Options())
+    assert found.swept is not None
+    kinds = {(c.kind, round(c.frequency, 4)) for c in found.swept.crossings}
+    assert kinds == {("a pair crosses the axis", 2.3761), ("a pair crosses the axis", 0.5952)}
+    assert [c.value for c in found.swept.crossings] == [0.0, 0.0]

@@ -104,7 +104,7 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
     run.stop, run.bound = next_bound(task, step.t, 0)
     try:
         step.slope = step.rhs(step.t, step.y)
-        run.before = watch_start(model, step, model.events)
+        run.before = watch_start(model, step.t, step.y, task.p, model.events)
         foresee(step, task)
         run.growth = limit_growth(method)
         run.former = 1.0  # no error came before

@@ -38,20 +38,20 @@ class Watching(Protocol):
     def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
 
-def watch_start(model: Watching, s: Step, events: int) -> list[float]:
+def watch_start(model: Watching, t: float, y: Sequence[float], p: Sequence[float], events: int) -> list[float]:
     """The watched values at the start.  A run that starts at the zero of an event leaves it: what rounding of the state would
     change it by is no more than a zero.
     """
-    before = model.watch(s.t, s.y, s.p)
+    before = model.watch(t, y, p)
     changes = [0.0] * events
-    for k in range(len(s.y) + 1 if events else 0):
-        y, t = list(s.y), s.t
+    for k in range(len(y) + 1 if events else 0):
+        moved, time = list(y), t
         if k < len(y):
-            y[k] *= 1.0 + 4.0 * _EPSILON
+            moved[k] *= 1.0 + 4.0 * _EPSILON
         else:
-            t *= 1.0 + 4.0 * _EPSILON
+            time *= 1.0 + 4.0 * _EPSILON
         try:
-            at = model.watch(t, y, s.p)
+            at = model.watch(time, moved, p)
         except ArithmeticError:
             continue
         changes = [change + abs(a - b) for change, a, b in zip(changes, at, before, strict=False)]

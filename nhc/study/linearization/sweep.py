@@ -16,11 +16,14 @@ from nhc.study.linearization.narrowing import End, narrow
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.units import Matrix
 
-_ROUNDED = 1e-11
+_ROUNDED = 1e-10
 """Of the largest value of a sweep: a crossing this near to zero is there, for eigenvalues are not known better."""
 
 _NEAR = 1e-5
 """Part of an interval in which a growth of the size of the eigenvalues does not come to nothing."""
+
+_MEETING = 1e-2
+"""Of a rate: what is left of a growth, or between two frequencies, next to where two pairs meet: the root of the way to it."""
 
 _BESIDE = 1e-3
 """Part of the way to a neighbour at which a zero has a sign."""
@@ -277,13 +280,22 @@ def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: L
     ends = narrow(branch, (End(low, a, True, judge(low, a)[1]), End(high, b, False, judge(high, b)[1])), judge, jumps)
     inner = ends[0 if first else 1].made
     pairs = sorted(_pairs(inner, strict), key=lambda x: x.real)
-    # where a pair becomes two real eigenvalues it does not cross the axis
-    slow = 1e-6 * (1.0 / inner.tick + abs(pairs[0])) * (high - low) if pairs else 0.0
-    low, high = (end.value for end in ends)
-    if not pairs or (not conservative and pairs[0].real > slow):
+    if not pairs:
         return []
-    kind = "two pairs meet on the axis" if conservative else "a pair crosses the axis"
+    # where a pair becomes two real eigenvalues it does not cross the axis; where two pairs meet there, growth is a root
+    slow = (_MEETING if conservative else 1e-6 * (high - low)) * (1.0 / inner.tick + abs(pairs[0]))
+    if pairs[0].real > slow:
+        return []
+    low, high = (end.value for end in ends)
+    meeting = conservative and _meet(ends[1 if first else 0].made, abs(pairs[0].imag))
+    kind = "two pairs meet on the axis" if meeting else "a pair crosses the axis"
     return [Crossing((low + high) / 2, kind, abs(pairs[0].imag), high - low, after > before)]
+
+
+def _meet(calm: Linearisation, frequency: float) -> bool:
+    """Whether two pairs on the axis have nearly that frequency."""
+    near = (abs(mode.value.imag - frequency) for mode in modes(calm) if not mode.grows and not mode.decays)
+    return sum(gap <= _MEETING * (1.0 / calm.tick + frequency) for gap in near) > 1
 
 
 def _determinant(core: Matrix) -> float:
