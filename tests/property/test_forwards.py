@@ -38,7 +38,7 @@ def test_brackets_by_series_are_those_that_are_written_down(trees: list[list[Tre
         mixed = tuple(g.dot(weights, column) for column in zip(first, second, strict=True))
         path, point = Forwards(g, variables, [first, second], mixed), FieldPoint(g, seed)
         jets = path._follow(point, TERMS)
-        packed = {y: pack(jets.series[y][0][:TERMS], WIDTH) for y in path._turning}
+        packed = {y: pack(jets.series[y][0], WIDTH) for y in path._turning}
         lifts = path.linear.lifts(TERMS, point.prime)
         vector = [list(jets.series[x][0]) for x in second]
         written: Field = second

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from nhc.emit.about import CITES, REACTIONS, UNITS, describe_arrays, describe_costs, describe_function, describe_program
 from nhc.emit.c.literals import print_comment
 from nhc.emit.prose import fold_ascii, wrap
-from nhc.program.ir import Function, Program
+from nhc.program.ir import Function, Program, Quantity
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -39,16 +39,21 @@ def print_file_comment(program: Program, functions: tuple[Function, ...], file_n
 def _letters_apart(program: Program) -> set[str]:
     """The letters by which names differ that are the same in ASCII, such as those of `e` with an accent beside `e`."""
     found: dict[str, list[str]] = {}
-    for quantity in (*program.state, *program.parameters, *program.constraints, *program.outputs):
+    for quantity in list_quantities(program):
         found.setdefault(fold_ascii(quantity.name), []).append(quantity.name)
     alike = (name for names in found.values() if len(set(names)) > 1 for name in names)
     return {letter for name in alike for letter in name if not letter.isascii()}
 
 
+def list_quantities(program: Program) -> tuple[Quantity, ...]:
+    """All that the arrays of a caller hold."""
+    return (*program.state, *program.parameters, *program.constraints, *program.outputs)
+
+
 def explain_calls(program: Program, functions: tuple[Function, ...]) -> tuple[str, ...]:
     """What a caller has to know: arrays, units, return codes, threads, and what the numbers in parentheses are."""
     capitals, names = program.system.upper(), {function.name for function in functions}
-    quantities = (*program.state, *program.parameters, *program.constraints, *program.outputs)
+    quantities = list_quantities(program)
     fill = f" {program.system}_state makes y from coordinates and velocities." if "state" in names else ""
     return tuple(
         text

@@ -34,10 +34,6 @@ class Forwards:
         entries = [x for field in (*self.fields, mixed) for x in field]
         self.plan = plan_jets(graph, [*entries, *self.linear.factors], self.variables)
 
-    @cached_property
-    def _moving(self) -> int:
-        return self.graph.mask(self.variables)
-
     def fills(self, point: FieldPoint) -> bool:
         """Whether the brackets of the mixed field with the fields span as many directions as there are variables.
 
@@ -59,8 +55,8 @@ class Forwards:
         rows: Echelon = []
         jets, ranks = self._follow(point, terms), list[int]()
         lifts = self.linear.lifts(terms, point.prime)
-        vectors = [[_series(jets, entry, terms) for entry in field] for field in self.fields]
-        packed = {y: pack(jets.series[y][0][:terms], WIDTH) for y in self._turning}
+        vectors = [[jets.series[entry][0] for entry in field] for field in self.fields]
+        packed = {y: pack(jets.series[y][0], WIDTH) for y in self._turning}
         for count in range(terms, 0, -1):
             for vector in vectors:
                 extend_echelon(rows, [series[0] for series in vector], point.prime)
@@ -75,7 +71,9 @@ class Forwards:
 
     @cached_property
     def _turning(self) -> list[Node]:
-        return [y for y in self.linear.factors if self.graph.deps[y] & self._moving]
+        """The factors that change along the path."""
+        moving = self.graph.mask(self.variables)
+        return [y for y in self.linear.factors if self.graph.deps[y] & moving]
 
     def _follow(self, point: FieldPoint, terms: int) -> Jets:
         """The series of everything along the path from the point."""
@@ -123,8 +121,3 @@ class Forwards:
             turned = unpack(number, left, WIDTH) if number else [0] * left
             found.append([(a - b) % prime for a, b in zip(slope, turned, strict=True)])
         return found
-
-
-def _series(jets: Jets, node: Node, terms: int) -> list[int]:
-    known = jets.series.get(node)
-    return list(known[0][:terms]) if known is not None else [jets.values[node], *([0] * (terms - 1))]

@@ -56,7 +56,7 @@ def linearise_at_values(equations: Equations, formulation: Formulation, request:
             lambda left: study(left.equations, left.formulation, request),
             lambda other: (len(other.lost), count_zeros(other.linearisation)),
             worth,
-            None if isinstance(found, NotSteady) or found.lost else found.model,
+            None if isinstance(found, NotSteady) else found.model,
         )
         if other is not None:
             return replace(other[0], absent=other[1])
@@ -100,12 +100,13 @@ def ask_without_zeros(
 ) -> tuple[T, tuple[str, ...]] | None:
     """What is found without the parameters that are 0, with their names; None unless it is better than what has that ``worth``.
 
-    Where the motion itself is found with the ``model``, only more that is free can make a family of it.
+    Where the motion is found whole with the ``model``, only more that is free can make a family of it.
     """
     if left is None:
         return None
     try:
-        if model is not None and not _is_freer(steady_model(left.equations, left.formulation, model.p), model):
+        found_whole = worth is not None and not worth[0]
+        if model and found_whole and not _is_freer(steady_model(left.equations, left.formulation, model.p), model):
             return None
         other = ask(left)
     except (NotSteady, SpecError, Unlucky):

@@ -116,7 +116,7 @@ def _unlocated(
         for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False)
         if _grow(a) != _grow(b)
         and not any(min(low, high) <= crossing.value <= max(low, high) for crossing in found)
-        and _grow(static.inside(low, a, high)) != _grow(static.inside(high, b, low))
+        and _grow(static.inside(low, a, high)[1]) != _grow(static.inside(high, b, low)[1])
     )
 
 
@@ -139,11 +139,13 @@ class _Static:
     def __init__(self, branch: Branch, zeros: Sequence[int]) -> None:
         self.branch, self.zeros = branch, zeros
 
+    def core(self, made: Linearisation) -> Matrix:
+        """What crosses, if anything does."""
+        return _without(made.core, self.zeros)
+
     def told(self, made: Linearisation) -> float:
-        """The sign of the core's determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
-        core = _without(made.core, self.zeros)
-        sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
-        return _sign(core) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
+        """The sign of the core's determinant; 0 where that says nothing."""
+        return _told(self.core(made))
 
     def beside(self, value: float, toward: float) -> tuple[float, Linearisation] | None:
         """A little way from a value; None where the branch has ended."""
@@ -153,45 +155,32 @@ class _Static:
         except NotSteady:
             return None
 
-    def inside(self, value: float, made: Linearisation, toward: float) -> Linearisation:
-        """A value's linearisation, or where that is a zero the one a little beside it."""
-        near = None if self.told(made) else self.beside(value, toward)
-        return made if near is None else near[1]
+    def inside(self, value: float, made: Linearisation, toward: float) -> tuple[float, Linearisation]:
+        """A value and its linearisation, or where that is a zero those a little beside it, if the branch goes on there."""
+        return (None if self.told(made) else self.beside(value, toward)) or (value, made)
 
     def at(self, value: float, made: Linearisation, before: float, after: float) -> list[Crossing]:
         """The crossing at a value of the sweep, if there is one; at its ends the branch is followed a little beyond."""
         if self.told(made):
             return []
-        sides = [self.beside(value, other) for other in (before, after) if other != value]
-        if len(sides) == 1:
-            sides.insert(0 if before == value else 1, self.beside(value, 2.0 * value - (after + before - value)))
-        if None in sides or len(sides) < 2:
+        low = before if before != value else 2.0 * value - after
+        high = after if after != value else 2.0 * value - before
+        left, right = self.beside(value, low), self.beside(value, high)
+        if left is None or right is None or self.told(left[1]) * self.told(right[1]) >= 0.0:
             return []
-        (_, left), (_, right) = (side for side in sides if side is not None)
-        if self.told(left) * self.told(right) >= 0.0:
-            return []
-        return [Crossing(value, _ZERO, 0.0, 0.0, _grow(right) > _grow(left))]
+        return [Crossing(value, _ZERO, 0.0, 0.0, _grow(right[1]) > _grow(left[1]))]
 
     def between(self, first: tuple[float, Linearisation], last: tuple[float, Linearisation]) -> list[Crossing]:
         """The crossing between two values, which may be zeros themselves."""
-        ends = [first, last]
-        for k, (value, made) in enumerate(ends):
-            if not self.told(made):
-                moved = self.beside(value, ends[1 - k][0])
-                if moved is None:
-                    return []
-                ends[k] = moved
-        (low, a), (high, b) = ends
-        sign = self.told(a)
+        (low, a), (high, b) = self.inside(*first, last[0]), self.inside(*last, first[0])
+        sign, passed = self.told(a), False
         if sign * self.told(b) >= 0:
             return []
 
-        passed = False
-
         def judge(value: float, made: Linearisation) -> tuple[bool, float]:
             nonlocal passed
-            core = _without(made.core, self.zeros)
-            if not passed and not self.told(made):  # a zero that is only touched has the same sign on both sides
+            core = self.core(made)
+            if not passed and not _told(core):  # a zero that is only touched has the same sign on both sides
                 sides = [self.beside(value, end) for end in (low, high)]
                 signs = {self.told(side[1]) for side in sides if side is not None}
                 passed = len(signs) > 1
@@ -199,12 +188,12 @@ class _Static:
                     return signs == {sign}, _determinant(core)
             return _sign(core) == sign, _determinant(core)
 
-        sides = tuple(
-            End(value, made, like, _determinant(_without(made.core, self.zeros)))
-            for value, made, like in ((low, a, True), (high, b, False))
+        ends = (
+            End(low, a, True, _determinant(self.core(a))),
+            End(high, b, False, _determinant(self.core(b))),
         )
-        low, high = (end.value for end in narrow(self.branch, (sides[0], sides[1]), judge))
-        return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]
+        begin, end = (end.value for end in narrow(self.branch, ends, judge))
+        return [Crossing((begin + end) / 2, _ZERO, 0.0, end - begin, _grow(b) > _grow(a))]
 
 
 def _chain(core: Matrix) -> list[int]:
@@ -230,6 +219,12 @@ def _without(core: Matrix, zeros: Sequence[int]) -> Matrix:
 
 def _sign(core: Matrix) -> float:
     return float(np.linalg.slogdet(core)[0]) if len(core) else 1.0
+
+
+def _told(core: Matrix) -> float:
+    """The sign of a determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
+    sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
+    return _sign(core) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
 
 
 def _grow(made: Linearisation) -> int:

@@ -96,7 +96,7 @@ def steady_motion(
             ),
             lambda other: _weigh(other, scene, start),
             worth,
-            None if isinstance(found, NotSteady) or (worth and worth[0]) else found.model,
+            None if isinstance(found, NotSteady) else found.model,
         )
         if other is not None:
             return replace(other[0], absent=other[1])
