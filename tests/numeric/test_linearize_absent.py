@@ -197,9 +197,48 @@ def merged(a: float) -> Matrix:
     return np.array([[0, 0, 1, 0], [0, 0, 0, 1], [-k, -a, 0, 1], [a, -1, -1, 0]])
 
 
-def test_two_pairs_that_cross_at_one_value_do_not_meet() -> None:
-    found = linearize(Source("apart.yaml", APART), Request("x=0", sweep=("c", -0.2, 0.2, 5)), Options())
+@pytest.mark.parametrize("ends", [(-0.2, 0.2), (-0.2, 0.0), (0.0, 0.2)])
+def test_two_pairs_that_cross_at_one_value_do_not_meet(ends: tuple[float, float]) -> None:
+    found = linearize(Source("apart.yaml", APART), Request("x=0", sweep=("c", *ends, 5)), Options())
     assert found.swept is not None
     kinds = {(c.kind, round(c.frequency, 4)) for c in found.swept.crossings}
     assert kinds == {("a pair crosses the axis", 2.3761), ("a pair crosses the axis", 0.5952)}
     assert [c.value for c in found.swept.crossings] == [0.0, 0.0]
+
+
+DAMPED = """nhc: 1
+system: damped
+coordinates: [x]
+parameters: {c: 0.1}
+T: x'^2/2
+V: x^2/2
+forces: {x: -FORCE*x'}
+"""
+
+
+@pytest.mark.parametrize(
+    ("force", "sweep", "expected"),
+    [
+        ("c", (0.0, 1.0, 5), [(0.0, False)]),
+        ("c", (-1.0, 0.0, 5), [(0.0, False)]),
+        ("(c - 0.3)", (0.3, 1.0, 3), [(0.3, False)]),
+        ("(0.3 - c)", (0.3, 1.0, 3), [(0.3, True)]),
+        ("c*(1 + c^2)", (0.0, 1.0, 5), [(0.0, False)]),
+        ("c^2", (0.0, 1.0, 5), []),  # it is only touched
+        ("c^2", (-1.0, 0.0, 5), []),
+        *(("(-c^2)", ends, []) for ends in ((0.0, 1.0, 5), (-1.0, 0.0, 5), (-1.0, 1.0, 5), (-1.0, 1.0, 4))),
+        ("c", (1e-3, 1.0, 5), []),
+        ("c*0", (0.0, 1.0, 5), []),
+    ],
+)
+def test_a_pair_that_crosses_at_an_end_is_named_once(
+    force: str, sweep: tuple[float, float, int], expected: list[tuple[float, bool]]
+) -> None:
+    text = DAMPED.replace("FORCE", force)
+    found = linearize(Source("damped.yaml", text), Request("x=0", sweep=("c", *sweep)), Options())
+    assert found.swept is not None and found.swept.unlocated == ()
+    told = found.swept.crossings
+    assert [one.value for one in told] == pytest.approx([value for value, _ in expected], abs=1e-9)
+    assert [(one.kind, one.unstable_above) for one in told] == [
+        ("a pair crosses the axis", above) for _, above in expected
+    ]

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nhc.algebra.exact.modular import Unlucky, are_zero
 from nhc.algebra.rebuilding import substitute
@@ -21,7 +22,7 @@ from nhc.study.linearization.found import Steady
 from nhc.study.linearization.roots import undecided
 from nhc.study.linearization.steady import find_steady
 from nhc.study.linearization.turns import Turn
-from nhc.study.linearization.units import Matrix, balance
+from nhc.study.linearization.units import Matrix, Vector, balance
 
 ROUNDING = 1e-13
 """By how much, relative to its size, the matrix may be off."""
@@ -291,7 +292,7 @@ def _clear(value: complex, limit: float) -> complex:
     return complex(value.real, 0.0 if abs(value.imag) <= limit else value.imag)
 
 
-def _spectrum(core: Matrix) -> tuple[Matrix, Matrix]:
+def _spectrum(core: Matrix) -> tuple[NDArray[np.complex128], Vector]:
     """Eigenvalues with the size of their error: that of the matrix times the eigenvalue's condition, which is 1 over the cosine
     between its left and right vectors; where several meet, the root of it (Wilkinson 1965, ch. 2).
     """
@@ -307,7 +308,8 @@ def _spectrum(core: Matrix) -> tuple[Matrix, Matrix]:
         condition = np.full(len(core), np.inf)
     condition = np.where(np.isfinite(condition), condition, np.inf)
     several = np.where(condition < 1e9, (error / size) ** 0.5, (error / size) ** (1 / 3)) * size if size else 0.0
-    return values, np.minimum(condition * error, several) if size else np.zeros(len(core))
+    errors = np.minimum(condition * error, several) if size else np.zeros(len(core))
+    return np.asarray(values, dtype=np.complex128), np.asarray(errors, dtype=np.float64)
 
 
 def eigenvalues(made: Linearisation) -> list[complex]:

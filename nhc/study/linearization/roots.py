@@ -29,7 +29,7 @@ _LEAST, _MOST = 0.3, 0.97  # the ratios of neighbouring steps that tell a multip
 def newton_step(value: Vector, slopes: Matrix, y: Vector) -> Vector:
     """Newton's step of least norm from y, of shape (NY,), along all directions that are no rounding, none of them far."""
     left, sizes, right = np.linalg.svd(slopes, full_matrices=False)
-    real = sizes > _NOISE * sizes.max(initial=0.0)
+    real = sizes > _NOISE * np.max(sizes, initial=0.0)
     along = np.where(real, (left.T @ value) / np.where(real, sizes, 1.0), 0.0)
     most = _FARTHEST * (1.0 + float(np.max(np.abs(y), initial=0.0)))
     return np.asarray(-np.clip(along, -most, most) @ right)

@@ -219,7 +219,9 @@ def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float, rank: f
     inside = all_but(across, slopes.shape[1])
     left, sizes, right = np.linalg.svd(slopes @ inside.T, full_matrices=False)
     damping *= float(np.linalg.norm(value))
-    weights = np.where(sizes > rank * sizes.max(initial=0.0), sizes / np.maximum(sizes**2 + damping**2, 1e-300), 0.0)
+    weights = np.where(
+        sizes > rank * np.max(sizes, initial=0.0), sizes / np.maximum(sizes**2 + damping**2, 1e-300), 0.0
+    )
     return np.asarray(-(weights * (left.T @ value)) @ right @ inside)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -101,11 +102,12 @@ def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
     points = [linearise_at(branch._model(v)[0], p.steady, branch.family) for v, p in zip(values, points, strict=True)]
     chains = [_chain(point.core) for point in points]
     static = _Static(branch, [min(counts) for counts in zip(*chains, strict=False)])
+    near = _NEAR * min((abs(b - a) for a, b in pairwise(values)), default=0.0)
     least = _ROUNDED * max(map(abs, values), default=0.0)
-    found = tuple(
-        replace(one, value=0.0) if abs(one.value) <= least else one for one in crossings(static, values, points)
-    )
-    return Sweep(tuple(values), tuple(points), found, _unlocated(static, values, points, found))
+    found = crossings(static, values, points, near)
+    unlocated = _unlocated(static, values, points, found)
+    passed = tuple(replace(one, value=0.0) if abs(one.value) <= least else one for one in _passed(found, near))
+    return Sweep(tuple(values), tuple(points), passed, unlocated)
 
 
 def _unlocated(
@@ -120,14 +122,41 @@ def _unlocated(
     )
 
 
-def crossings(static: _Static, values: Sequence[float], points: Sequence[Linearisation]) -> tuple[Crossing, ...]:
-    """Where the sign of the core's determinant or the number of growing oscillations changes."""
+def crossings(
+    static: _Static, values: Sequence[float], points: Sequence[Linearisation], near: float
+) -> tuple[Crossing, ...]:
+    """Where the sign of the core's determinant or the number of growing oscillations changes, ``near`` the ends also beyond."""
     found = []
     for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False):
         found += [*static.between((low, a), (high, b)), *_oscillatory(static.branch, low, high, a, b)]
     for k, (value, point) in enumerate(zip(values, points, strict=True)):
         found += static.at(value, point, values[max(k - 1, 0)], values[min(k + 1, len(values) - 1)])
+    if len(values) > 1:
+        for value, toward, point in ((values[0], values[1], points[0]), (values[-1], values[-2], points[-1])):
+            found += [
+                replace(one, value=value)
+                for one in _beyond(static, value, toward, point)
+                if abs(one.value - value) <= near
+            ]
     return tuple(sorted(found, key=lambda crossing: crossing.value))
+
+
+def _passed(found: Sequence[Crossing], near: float) -> list[Crossing]:
+    """Without the pairs that only touch the axis: they come to it and turn back at nearly the same value."""
+    passed = list[Crossing]()
+    for one in sorted(found, key=lambda crossing: crossing.value):
+        back = next((other for other in passed if one.value - other.value <= near and _undoes(one, other)), None)
+        if back is None:
+            passed.append(one)
+        else:
+            passed.remove(back)
+    return passed
+
+
+def _undoes(one: Crossing, other: Crossing) -> bool:
+    """Whether it is the same pair that comes back."""
+    same = abs(one.frequency - other.frequency) <= _MEETING * one.frequency
+    return same and one.kind == other.kind != _ZERO and one.unstable_above != other.unstable_above
 
 
 class _Static:
@@ -285,6 +314,15 @@ def _oscillatory(branch: Branch, low: float, high: float, a: Linearisation, b: L
     meeting = conservative and _meet(ends[1 if first else 0].made, abs(pairs[0].imag))
     kind = "two pairs meet on the axis" if meeting else "a pair crosses the axis"
     return [Crossing((low + high) / 2, kind, abs(pairs[0].imag), high - low, after > before)]
+
+
+def _beyond(static: _Static, value: float, toward: float, made: Linearisation) -> list[Crossing]:
+    """Pairs that cross as the branch is followed a little beyond an end of the sweep."""
+    beyond = static.beside(value, 2.0 * value - toward)
+    if beyond is None:
+        return []
+    (low, a), (high, b) = sorted(((value, made), beyond), key=lambda end: end[0])
+    return _oscillatory(static.branch, low, high, a, b)
 
 
 def _meet(calm: Linearisation, frequency: float) -> bool:

@@ -125,7 +125,7 @@ def admissible(bench: Bench) -> Matrix:
         low, high = bench.quantities([bench.times[0]] * 2, pair)[:, kept]
         slopes[:, i] = (high - low) / (2 * h)
     _, sizes, right = np.linalg.svd(slopes)
-    rank = int(np.sum(sizes > 1e-7 * max(1.0, float(sizes.max(initial=0.0)))))
+    rank = int(np.sum(sizes > 1e-7 * max(1.0, float(np.max(sizes, initial=0.0)))))
     return np.asarray(right[rank:].T)
 
 
