@@ -233,6 +233,11 @@ def _notes(found: Findings, formulation: str) -> list[str]:
         notes.append(f"not the motion asked about: {lost}; `--hold` keeps such a velocity")
     elif found.lost:
         notes.append(f"taken for a disturbance: {lost}; `--hold` keeps such a velocity")
+    left = found.swept.leaves() if found.swept and not found.halted else None
+    if left:
+        notes.append(
+            f"the sweep leaves the motion asked about, first at {left[0]:.10g}: {left[1]}; `--hold` keeps such a velocity"
+        )
     if found.halted and formulation == "voronec":
         notes.append(_OTHERS)
     return notes

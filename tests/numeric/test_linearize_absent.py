@@ -242,3 +242,26 @@ def test_a_pair_that_crosses_at_an_end_is_named_once(
     assert [(one.kind, one.unstable_above) for one in told] == [
         ("a pair crosses the axis", above) for _, above in expected
     ]
+
+
+BRAKED = """nhc: 1
+system: braked
+coordinates: [x, y, th]
+parameters: {m: 2, a: 0.3, I: 0.5, c: 0}
+T: m/2*((x' - a*sin(th)*th')^2 + (y' + a*cos(th)*th')^2) + I/2*th'^2
+constraints: ["-sin(th)*x' + cos(th)*y' = 0"]
+quasi_velocities: {v: cos(th)*x' + sin(th)*y', w: th'}
+forces: {v: -c*v}
+scenes: {ahead: {initial: {x: 0, y: 0, th: 0, v: 2, w: 0}, time: [0, 1]}}
+"""
+
+
+def test_a_sweep_that_comes_to_rest_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "braked.yaml"
+    spec.write_text(BRAKED)
+    assert main(["linearize", str(spec), "--sweep", "c=0:1:5"]) == 0
+    assert "first at 0.25: v = 2 has become 0" in capsys.readouterr().out
+    assert main(["stability", str(spec), "--sweep", "c=0:1:5"]) == 0
+    assert "first at 0.25  not the motion asked about  v = 2 has become 0" in capsys.readouterr().out
+    assert main(["linearize", str(spec), "--sweep", "v=0:1:5"]) == 0  # what is swept goes where it is sent
+    assert "has become" not in capsys.readouterr().out

@@ -13,6 +13,7 @@ from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.scope import names_in
+from nhc.language.spec import Scene
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
@@ -130,7 +131,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     place = _exact_place(model, point, model.values(guess), steady)
     shifts = _list_shifts(model) if steady.turns else []
     paper = _on_paper(model, place, shifts) if place else "the state is no expression in the parameters"
-    swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
+    swept = sweep_along(model, scene, guess, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
         return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted)
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
@@ -286,20 +287,29 @@ def named_quantity(flow: Flow, name: str, option: str, parameters: Sequence[str]
     return flow.graph.zero
 
 
-def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...]) -> Branch:
-    """Steady motions along a parameter, or along a quantity of the state that is held at each value, in place of any other."""
-    parameters = [p.name for p in model.flow.system.spec.parameters]
-    if name in parameters:
-        index = parameters.index(name)
-        return Branch(lambda value: (model.with_parameter(index, value), holds), guess)
-    node = named_quantity(model.flow, name, "--sweep", parameters)
-    others = tuple(hold for hold in holds if hold.node != node)
-    return Branch(lambda value: (model, (*others, Hold(name, node, value))), guess)
-
-
-def _sweep(
-    model: SteadyModel, guess: Sequence[float], holds: tuple[Hold, ...], request: tuple[str, float, float, int]
+def sweep_along(
+    model: SteadyModel,
+    scene: Scene,
+    guess: Sequence[float],
+    begin: Sequence[float],
+    holds: tuple[Hold, ...],
+    request: tuple[str, float, float, int],
 ) -> Sweep:
+    """Steady motions along a parameter, or along a quantity of the state that is held at each value, in place of any other.
+
+    ``begin`` is where the first is looked for, ``guess`` what was asked for: along a parameter it may come to rest.
+    """
     name, low, high, count = request
-    branch = branch_of(model, guess, name, holds)
-    return sweep(branch, [low + (high - low) * k / (count - 1) for k in range(count)])
+    values = [low + (high - low) * k / (count - 1) for k in range(count)]
+    parameters = [p.name for p in model.flow.system.spec.parameters]
+    if name not in parameters:
+        node = named_quantity(model.flow, name, "--sweep", parameters)
+        others = tuple(hold for hold in holds if hold.node != node)
+        return sweep(Branch(lambda value: (model, (*others, Hold(name, node, value))), begin), values)
+    index = parameters.index(name)
+    found = sweep(Branch(lambda value: (model.with_parameter(index, value), holds), begin), values)
+    gone = []
+    for value, point in zip(values, found.points, strict=True):
+        at, y = model.with_parameter(index, value), point.steady.y
+        gone.append(list_lost(at, scene, guess, y) if has_halted(at, guess, y) else ())
+    return replace(found, gone=tuple(gone))

@@ -7,15 +7,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-import numpy as np
-
 from nhc.records import record
-from nhc.study.linearization.field import RANK, Hold, SteadyModel
+from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
 from nhc.study.linearization.narrowing import End, narrow
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.units import Matrix
+from nhc.study.linearization.zeros import chain_of, sign_of, size_of, told_sign, without
 
 _ROUNDED = 1e-10
 """Of the largest value of a sweep: a crossing this near to zero is there, for eigenvalues are not known better."""
@@ -49,13 +48,19 @@ class Crossing:
 @record
 class Sweep:
     """Linearisations at ``values`` and the crossings between them; ``unlocated`` are neighbours between which the number of growing
-    eigenvalues changes, and no crossing is found.
+    eigenvalues changes, and no crossing is found; ``gone``: at each value what has become of velocities that were asked for.
     """
 
     values: tuple[float, ...]
     points: tuple[Linearisation, ...]
     crossings: tuple[Crossing, ...]
     unlocated: tuple[tuple[float, float], ...] = ()
+    gone: tuple[tuple[str, ...], ...] = ()
+
+    def leaves(self) -> tuple[float, str] | None:
+        """The first value at which the motion is not the one that was asked about, and what has become of that."""
+        values = zip(self.values, self.gone, strict=bool(self.gone))
+        return next(((value, "; ".join(gone)) for value, gone in values if gone), None)
 
 
 class Branch:
@@ -100,7 +105,7 @@ def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
             raise NotSteady(f"at {value:.10g}: {error}", error.residual, entries=error.entries) from None
     branch.family = min((point.family for point in points), default=0)
     points = [linearise_at(branch._model(v)[0], p.steady, branch.family) for v, p in zip(values, points, strict=True)]
-    chains = [_chain(point.core) for point in points]
+    chains = [chain_of(point.core) for point in points]
     static = _Static(branch, [min(counts) for counts in zip(*chains, strict=False)])
     near = _NEAR * min((abs(b - a) for a, b in pairwise(values)), default=0.0)
     least = _ROUNDED * max(map(abs, values), default=0.0)
@@ -170,11 +175,11 @@ class _Static:
 
     def core(self, made: Linearisation) -> Matrix:
         """What crosses, if anything does."""
-        return _without(made.core, self.zeros)
+        return without(made.core, self.zeros)
 
     def told(self, made: Linearisation) -> float:
         """The sign of the core's determinant; 0 where that says nothing."""
-        return _told(self.core(made))
+        return told_sign(self.core(made))
 
     def beside(self, value: float, toward: float) -> tuple[float, Linearisation] | None:
         """A little way from a value; None where the branch has ended."""
@@ -209,51 +214,20 @@ class _Static:
         def judge(value: float, made: Linearisation) -> tuple[bool, float]:
             nonlocal passed
             core = self.core(made)
-            if not passed and not _told(core):  # a zero that is only touched has the same sign on both sides
+            if not passed and not told_sign(core):  # a zero that is only touched has the same sign on both sides
                 sides = [self.beside(value, end) for end in (low, high)]
                 signs = {self.told(side[1]) for side in sides if side is not None}
                 passed = len(signs) > 1
                 if not passed and None not in sides:
-                    return signs == {sign}, _determinant(core)
-            return _sign(core) == sign, _determinant(core)
+                    return signs == {sign}, size_of(core)
+            return sign_of(core) == sign, size_of(core)
 
         ends = (
-            End(low, a, True, _determinant(self.core(a))),
-            End(high, b, False, _determinant(self.core(b))),
+            End(low, a, True, size_of(self.core(a))),
+            End(high, b, False, size_of(self.core(b))),
         )
         begin, end = (end.value for end in narrow(self.branch, ends, judge))
         return [Crossing((begin + end) / 2, _ZERO, 0.0, end - begin, _grow(b) > _grow(a))]
-
-
-def _chain(core: Matrix) -> list[int]:
-    """How many null directions a matrix has, then what is left of it beside these, and so on: all of its zeros."""
-    found, left = list[int](), core
-    while len(left):
-        sizes = np.linalg.svd(left, compute_uv=False)
-        count = int(np.sum(sizes <= RANK * sizes[0]))
-        if not count:
-            break
-        found.append(count)
-        left = _without(left, [count])
-    return found
-
-
-def _without(core: Matrix, zeros: Sequence[int]) -> Matrix:
-    """What is left of a matrix beside as many null directions, then beside those of that."""
-    for count in zeros:
-        kept = np.linalg.svd(core)[2][: len(core) - count]
-        core = np.asarray(kept @ core @ kept.T)
-    return core
-
-
-def _sign(core: Matrix) -> float:
-    return float(np.linalg.slogdet(core)[0]) if len(core) else 1.0
-
-
-def _told(core: Matrix) -> float:
-    """The sign of a determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
-    sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
-    return _sign(core) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
 
 
 def _grow(made: Linearisation) -> int:
@@ -329,12 +303,6 @@ def _meet(calm: Linearisation, frequency: float) -> bool:
     """Whether two pairs on the axis have nearly that frequency."""
     near = (abs(mode.value.imag - frequency) for mode in modes(calm) if not mode.grows and not mode.decays)
     return sum(gap <= _MEETING * (1.0 / calm.tick + frequency) for gap in near) > 1
-
-
-def _determinant(core: Matrix) -> float:
-    """The core's determinant beside what a matrix of its size has at most: a measure, not a sign."""
-    sizes = np.linalg.svd(core, compute_uv=False) if len(core) else np.ones(1)
-    return float(np.prod(sizes / max(sizes[0], 1e-300)))
 
 
 def _growth(made: Linearisation, strict: bool, count: int) -> float:

@@ -29,9 +29,9 @@ from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, Steady, check_smooth
 from nhc.study.linearization.leaf import held_on_leaf
 from nhc.study.linearization.linearize import Linearisation, count_zeros, linearise_at
-from nhc.study.linearization.motion import branch_of, read_holds, steady_model
+from nhc.study.linearization.motion import read_holds, steady_model, sweep_along
 from nhc.study.linearization.steady import find_motion, find_steady
-from nhc.study.linearization.sweep import Sweep, sweep
+from nhc.study.linearization.sweep import Sweep
 
 SweepRange = tuple[str, float, float, int]
 
@@ -160,10 +160,8 @@ def _motion(
     made = linearise_at(model, steady)
     swept, name = None, ""
     if search.sweep is not None:
-        name, low, high, count = search.sweep
-        values = [low + (high - low) * k / (count - 1) for k in range(count)]
-        name = _spelled(model.flow, name)
-        swept = sweep(branch_of(model, steady.y, name, holds), values)
+        name = _spelled(model.flow, search.sweep[0])
+        swept = sweep_along(model, scene, guess, steady.y, holds, (name, *search.sweep[1:]))
     return Motion(better, model, made, swept, place, regularity, name)
 
 

@@ -146,7 +146,9 @@ def _sweep(found: Sweep, unit: str) -> list[Row]:
         for low, high in found.unlocated
     ]
     low, high = found.values[0], found.values[-1]
-    return rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
+    rows = rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
+    left = found.leaves()
+    return [*rows, Row(f"first at {left[0]:.6g}", "not the motion asked about", left[1])] if left else rows
 
 
 def _spectrum(lab: Laboratory, unit: str) -> list[Row]:
@@ -343,4 +345,6 @@ def _motion_tree(found: Motion) -> dict[str, Any]:
             for c in found.swept.crossings
         ]
         data["unlocated"] = [{"low": low, "high": high} for low, high in found.swept.unlocated]
+        left = found.swept.leaves()
+        data["left"] = {"value": left[0], "what": left[1]} if left else None
     return data
