@@ -99,7 +99,10 @@ def _runs() -> list[Row]:
 
 def _cache() -> Row:
     """Where nhc keeps what it has made, and how much that is."""
+    import tempfile
+
     from nhc.resources import cache_folder
+    from nhc.simulate.c.compile import runs_from
 
     try:
         folder = cache_folder()
@@ -108,8 +111,14 @@ def _cache() -> Row:
     models, answers, size_in_bytes = _measure(folder)
     size = f"{models} compiled models, {answers} answers, {size_in_bytes / 1e6:.1f} MB"
     place = next(path for path in (folder, *folder.parents) if path.exists())
-    writable = os.access(place, os.W_OK) and place.is_dir()
-    return "cache", writable, f"{folder} ({size if writable else 'cannot be written'})"
+    try:
+        tempfile.TemporaryFile(dir=place).close()
+        trouble = "" if runs_from(place) else "is mounted `noexec`"
+    except OSError:
+        trouble = "cannot be written"
+    if trouble and not os.environ.get("NHC_CACHE"):
+        trouble += "; models are compiled for one run each"
+    return "cache", not trouble, f"{folder} ({trouble or size})"
 
 
 def _measure(folder: Path) -> tuple[int, int, int]:

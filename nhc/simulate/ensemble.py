@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from nhc.mechanics.starts.scenes import Start
 from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
 from nhc.records import record
-from nhc.simulate.c.compile import CompileError, build, lane_flags
+from nhc.simulate.c.compile import CompileError, build, lane_flags, tell_passing
 from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.c.source import write_source
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
@@ -82,7 +82,7 @@ def load_lanes(job: Job, method: str, compiled: bool = True) -> tuple[Model, tup
         path = build(sources, f"{job.program.system}_run.c", lane_flags(len(job.y)))
     except CompileError:
         return load(job, method, compiled)  # whose note says why
-    return CompiledModel(path, job.program.system, len(job.y), job.width), ()
+    return CompiledModel(path, job.program.system, len(job.y), job.width), tell_passing(path)
 
 
 def _integrate_each(model: Model, task: Task, method: str, jobs: Sequence[Job], news: News) -> list[Outcome]:

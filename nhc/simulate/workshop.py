@@ -11,7 +11,7 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, field, replace
 
-from nhc.simulate.c.compile import HASTY_FLAGS, CompileError, build, loop_flags, tell_why
+from nhc.simulate.c.compile import HASTY_FLAGS, CompileError, build, loop_flags, tell_passing, tell_why
 from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.c.source import write_natural, write_source
 from nhc.simulate.interpreted import InterpretedModel
@@ -35,7 +35,8 @@ def load(job: Job, method: str, compiled: bool = True, hasty: bool = False) -> t
         return PeerModel(job.program, job.events, dips=job.watch.dips), ()
     if compiled:
         try:
-            return _compile(job, method, hasty), ()
+            model = _compile(job, method, hasty)
+            return model, tell_passing(model.path)
         except CompileError as error:
             notes = (f"{tell_why(error)}; running the emitted Python, which is some hundred times slower",)
     if method in STRUCTURE:

@@ -2,11 +2,13 @@
 
 The cache is ``$NHC_CACHE``, else ``nhc`` in the user's cache folder (``$XDG_CACHE_HOME`` or ``~/.cache``).  An
 entry is a folder named by the hash of everything that went into it; it appears by a rename, so that it is whole or
-not there, and its library is loaded only where its hash is the one that the entry has beside it.
+not there, and its library is loaded only where its hash is the one that the entry has beside it.  Where the user's cache folder
+cannot be used, as in a container, models are compiled for one process each; a folder that ``$NHC_CACHE`` names must do.
 """
 
 from __future__ import annotations
 
+import atexit
 import hashlib
 import os
 import platform
@@ -120,14 +122,61 @@ def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> P
     if not compiler:
         raise CompileError(_tell_missing(), missing=True)
     options = (*FLAGS, *_accepted(compiler, machine_flags()), *flags)
+    entry = Path(_key(sources, unit, options, compiler)) / f"{Path(unit).stem}.so"
     try:
-        folder = cache_folder()
+        return _made(sources, unit, (*compiler, *options), _own_cache() / entry)
+    except CacheError as error:
+        if os.environ.get("NHC_CACHE"):
+            raise
+        return _made(sources, unit, (*compiler, *options), _passing_folder(error) / entry)
+
+
+def tell_passing(library: Path) -> tuple[str, ...]:
+    """A note where a library is there for this process only."""
+    reason = _passing.get(library.parents[1])
+    return (f"{tell_why(reason)}; compiled for this run only",) if reason else ()
+
+
+def _own_cache() -> Path:
+    try:
+        return cache_folder()
     except OSError as error:
         raise CacheError(f"no place for a cache: {error.strerror}") from error
-    library = folder / _key(sources, unit, options, compiler) / f"{Path(unit).stem}.so"
+
+
+def _made(sources: Mapping[str, str], unit: str, command: Sequence[str], library: Path) -> Path:
+    """The library, compiled unless it is there."""
     if not _is_whole(library):
-        _compile(sources, unit, (*compiler, *options), library)
+        _compile(sources, unit, command, library)
+    if not runs_from(library):
+        raise CacheError(f"nothing can be run from the cache `{library.parents[1]}`: it is mounted `noexec`")
     return library
+
+
+def runs_from(place: Path) -> bool:
+    """Whether libraries of the file system of ``place``, which is there, can be loaded, as far as can be told."""
+    return not (hasattr(os, "ST_NOEXEC") and os.statvfs(place).f_flag & os.ST_NOEXEC)
+
+
+_passing: dict[Path, CacheError] = {}
+"""The folder for models of this process, once there is one, and why there is one."""
+
+
+def _passing_folder(reason: CacheError) -> Path:
+    """A folder that is removed when this process ends."""
+    if not _passing:
+        try:
+            _passing[Path(tempfile.mkdtemp(prefix="nhc-"))] = reason
+        except OSError:
+            raise reason from None
+        atexit.register(_remove_passing, os.getpid())
+    return next(iter(_passing))
+
+
+def _remove_passing(process: int) -> None:
+    """Not by a child, which has the same list."""
+    if os.getpid() == process:
+        shutil.rmtree(next(iter(_passing)), ignore_errors=True)
 
 
 def try_out() -> None:

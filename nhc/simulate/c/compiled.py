@@ -72,7 +72,7 @@ class CompiledModel:
     compiled = True
 
     def __init__(self, path: Path, system: str, states: int, needed: int) -> None:
-        self.library = ctypes.CDLL(str(path))
+        self.path, self.library = path, ctypes.CDLL(str(path))
         self.system, self.states, self.needed = system, states, needed
 
         class Found(ctypes.Structure):
