@@ -9,7 +9,9 @@ _RAISED = str.maketrans("-0123456789", "\u207b\u2070\u00b9\u00b2\u00b3\u2074\u20
 
 def typeset_unit(unit: str) -> str:
     """The unit with blanks that no line ends at for its products, and whole powers raised; others stay as they are."""
-    raised = re.sub(r"\^\(?(-?\d+)\)?(?![\d./])", lambda found: found[1].translate(_RAISED), unit)
+    raised = re.sub(
+        r"\^(?:(-?\d+)(?![\d.])|\((-?\d+)\))", lambda found: found[found.lastindex or 0].translate(_RAISED), unit
+    )
     return raised.replace("*", "\u00a0")
 
 

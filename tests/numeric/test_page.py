@@ -100,6 +100,7 @@ def test_several_reactions_have_an_axis_of_their_name_and_units_are_set() -> Non
         ("m/s^2", "m/s²"),
         ("N*m*s/rad", "N\u00a0m\u00a0s/rad"),
         ("m^-1*s^12", "m⁻¹\u00a0s¹²"),
+        ("kg*m^2/s^3", "kg\u00a0m²/s³"),
         ("m^(-2)", "m⁻²"),
         ("m^(1/2)", "m^(1/2)"),
         ("m^0.5", "m^0.5"),
