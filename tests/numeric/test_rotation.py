@@ -27,7 +27,7 @@ from nhc.mechanics.linearize import cyclic_of
 from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.starts.scenes import kept_velocities, start_of
-from nhc.pipeline import Options, emit
+from nhc.pipeline import Options, check, emit
 from tests.support import ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
 
 GALLERY = ("free_rigid_body_quaternion", "heavy_top_quaternion", "chaplygin_ball_quaternion")
@@ -402,3 +402,31 @@ def test_structure_preserving_methods(name: str, method: str, capsys: pytest.Cap
     exact = end("--tol", "1e-10")
     errors = [np.max(np.abs(end("--method", method, "--step", h) - exact)) for h in ("0.02", "0.01")]
     assert 3.5 < errors[0] / errors[1] < 4.5 and errors[0] < 0.01
+
+
+ON_A_TURNING_BOWL = """nhc: 1
+system: ball_in_a_turning_bowl
+coordinates: [u, v]
+rotation: {R: {frame: space}}
+parameters: {m: 1.2, a: 0.2, k: 0.7, Om: 1.1, g: 9.81}
+define:
+  s: sqrt(1 + k^2*(u^2 + v^2))
+  nx: -k*u/s
+  ny: -k*v/s
+  nz: 1/s
+  X: u + a*nx
+  Y: v + a*ny
+  Z: k*(u^2 + v^2)/2 + a*nz
+  sx: X' - a*(R_wy*nz - R_wz*ny) + Om*v
+  sy: Y' - a*(R_wz*nx - R_wx*nz) - Om*u
+  sz: Z' - a*(R_wx*ny - R_wy*nx)
+T: m/2*(X'^2 + Y'^2 + Z'^2) + m*a^2/5*(R_wx^2 + R_wy^2 + R_wz^2)
+V: m*g*Z
+constraints: [sx + k*u*sz = 0, sy + k*v*sz = 0]
+"""
+
+
+def test_a_moving_energy_is_found_by_velocities_in_space() -> None:
+    """Fasso and Sansonetto 2016: on a surface that turns uniformly E - Om J is constant, J the angular momentum about its axis."""
+    facts = check(Source("bowl.yaml", ON_A_TURNING_BOWL)).facts
+    assert any("the moving energy E - Om L_R_z - Om (u p_v - v p_u)" in fact for fact in facts)

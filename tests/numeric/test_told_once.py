@@ -79,3 +79,33 @@ def test_long_expressions_are_left_to_json(
     assert code == 0 and (max(map(len, entries)) > LONGEST) == long
     kept = [entry for entry in entries if len(entry) <= LONGEST]
     assert kept and all(any(line.endswith(f"  {entry}") for line in shown) for entry in kept)
+
+
+@pytest.mark.parametrize("points", ["3", "201"])
+def test_a_column_that_is_lost_ends_with_the_row_before(
+    points: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "column.yaml"
+    path.write_text(
+        "nhc: 1\nsystem: column\ncoordinates: [x]\nT: x'^2/2\noutputs: {left: sqrt(0.5 - x)}\n"
+        "scenes: {go: {initial: {x': 1}, time: [0, 1], need: [x, left]}}\n"
+    )
+    code, _, err = call(capsys, "run", str(path), "--points", points)
+    assert code == 3
+    (told,) = re.findall(r"help: `--time (.*)` writes the motion until shortly before", err)
+    assert told == "0.5" and call(capsys, "run", str(path), "--points", points, "--time", told)[0] == 0
+
+
+def test_the_value_that_fits_is_taken(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, value = tmp_path / "skate.yaml", "9"
+    for _ in range(2):
+        path.write_text(
+            "nhc: 1\nsystem: skate\ncoordinates: [x, y, th]\nT: (x'^2 + y'^2 + th'^2)/2\n"
+            "constraints: [\"-sin(th)*x' + cos(th)*y' = 0\"]\n"
+            f"scenes: {{go: {{initial: {{th: pi/3, x': {value}, y': 0.5}}, time: [0, 1]}}}}\n"
+        )
+        code, out, _ = call(capsys, "check", str(path))
+        if value == "9":
+            assert code == 1
+            (value,) = re.findall(r"let `x'` be (.*), which fits", out)
+    assert code == 0, out

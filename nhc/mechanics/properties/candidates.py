@@ -33,34 +33,40 @@ class Candidate:
     scaled: bool = False
 
 
-def combine_by_parameters(sampler: Sampler, candidates: Sequence[Node], known: int) -> list[list[Node]]:
+def combine_by_parameters(sampler: Sampler, candidates: Sequence[Candidate], known: int) -> list[list[Node]]:
     """The weights, polynomials in the parameters, with which the candidates make constants; none where no more than ``known`` are
     made by numbers.
 
-    What is constant at given values of the parameters counts, less what vanishes.
+    What is constant at given values of the parameters counts.  Of candidates that are combinations of each other, as an angular
+    momentum of its velocity, only some are taken, for weights along what vanishes have no low degree; first those with a kind.
     """
-    system, width = sampler.system, len(candidates)
+    system, nodes = sampler.system, [c.node for c in candidates]
     g, prime = system.graph, primes_of(system.graph)[0]
     parameters = [symbol for symbol in system.p if symbol not in sampler.zeroed]
-    rates = rates_of(sampler, candidates)
+    rates = rates_of(sampler, nodes)
 
     def sample(nodes: Sequence[Node], fixed: Mapping[Node, int]) -> list[list[int]]:
-        return sampler.residues(nodes, width + _SPARE, prime, fixed=fixed)
+        return sampler.residues(nodes, len(candidates) + _SPARE, prime, fixed=fixed)
 
     try:
-        rows = sample([*rates, *candidates], draw_parameters(parameters, prime, 1))
-        constant = null_space([row[:width] for row in rows], width, prime)
-        if len(constant) - len(null_space([row[width:] for row in rows], width, prime)) <= known:
+        rows = sample([*rates, *nodes], draw_parameters(parameters, prime, 1))
+        first = sorted(range(len(nodes)), key=lambda k: not candidates[k].kind)
+        vanishing = null_space([[row[len(nodes) + k] for k in first] for row in rows], len(nodes), prime)
+        dropped = {first[max(k for k, weight in enumerate(vector) if weight)] for vector in vanishing}
+        kept = [k for k in range(len(nodes)) if k not in dropped]
+        width = len(kept)
+        constant = null_space([[row[k] for k in kept] for row in rows], width, prime)
+        if len(constant) <= known:
             return []
         used = [k for k in range(width) if any(vector[k] for vector in constant)]
-        own = [rates[k] for k in used]
+        own = [rates[kept[k]] for k in used]
         found = find_families(g, parameters, lambda fixed: sample(own, fixed), len(used), prime)
     except Unlucky:
         return []
     spread = []
     for vector in found:
-        weights = dict(zip(used, vector or (), strict=vector is not None))
-        spread.append([weights.get(k, g.zero) for k in range(width)])
+        weights = dict(zip((kept[k] for k in used), vector or (), strict=vector is not None))
+        spread.append([weights.get(k, g.zero) for k in range(len(nodes))])
     return [weights for weights in spread if any(weight != g.zero for weight in weights)]
 
 

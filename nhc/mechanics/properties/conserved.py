@@ -225,6 +225,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
         ("quasi-velocities and their momenta", _quasi(system, p, frame)),
         ("angular momenta of rotations (L)", _angular_momenta(system, p)),
         ("angular momenta of coordinate pairs", turns),
+        ("angular momenta on the axes of angular velocities (L)", _angular_momenta(system, p, own=True)),
         ("squares of coordinates and velocities", _squares(system)),
         ("momenta and angular momenta times a parameter of the constraints", scaled),
     ]
@@ -265,12 +266,13 @@ def _rotations(system: System, p: Sequence[Node], names: Sequence[str]) -> list[
     return found
 
 
-def _angular_momenta(system: System, p: Sequence[Node]) -> list[Candidate]:
-    """p_i e_i for the unit turns of each rotation about the axes that its velocities do not belong to."""
+def _angular_momenta(system: System, p: Sequence[Node], *, own: bool = False) -> list[Candidate]:
+    """p_i e_i for the unit turns of each rotation about the axes that its velocities do not belong to, or about their ``own``."""
     found = []
     for rotation in system.rotations:
-        letters = "xyz" if rotation.sign > 0 else "123"
-        values = rotation.other_momenta(system.graph, [p[k] for k in rotation.places])
+        letters = "xyz" if (rotation.sign > 0) != own else "123"
+        momenta = rotation.own_momenta if own else rotation.other_momenta
+        values = momenta(system.graph, [p[k] for k in rotation.places])
         found += [
             Candidate(f"L_{rotation.name}_{letter}", node, MOMENTUM)
             for letter, node in zip(letters, values, strict=True)
@@ -312,7 +314,7 @@ def _search(
     vectors = [[g.number(k) for k in vector] for vector in without(constant, trivial)]
     plain = [k for k, c in enumerate(candidates) if not c.scaled]
     numbers = [v for v in vectors if all(v[k] == g.zero for k, c in enumerate(candidates) if c.scaled)]
-    for weights in combine_by_parameters(sampler, [candidates[k].node for k in plain], len(numbers)):
+    for weights in combine_by_parameters(sampler, [candidates[k] for k in plain], len(numbers)):
         wide = dict(zip(plain, weights, strict=True))
         vectors.append([wide.get(k, g.zero) for k in range(width)])
     integrals: list[Integral] = []

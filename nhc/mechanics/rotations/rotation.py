@@ -76,14 +76,18 @@ class Rotation:
             self.known[tuple(rates)] = found
         return found
 
+    def own_momenta(self, graph: Graph, p: Sequence[Node]) -> Vector:
+        """From the momenta of e' those of unit turns about the axes of the velocities."""
+        zero, one = graph.zero, graph.one
+        units = (zero, one, zero, zero), (zero, zero, one, zero), (zero, zero, zero, one)
+        x, y, z = (graph.dot(p, self.velocities(graph, unit)) for unit in units)
+        return x, y, z
+
     def other_momenta(self, graph: Graph, p: Sequence[Node]) -> Vector:
-        """From the momenta of e' those of unit turns about the axes of space, for velocities on the body's, or the reverse."""
-        g, zero, one = graph, graph.zero, graph.one
-        own = []
-        for unit in ((zero, one, zero, zero), (zero, zero, one, zero), (zero, zero, zero, one)):
-            own.append(g.dot(p, self.velocities(g, unit)))
+        """The same about the axes of space, for velocities on the body's, or the reverse."""
+        own = self.own_momenta(graph, p)
         R = self.matrix if self.sign > 0 else tuple(zip(*self.matrix, strict=True))
-        x, y, z = (g.dot(row, own) for row in R)
+        x, y, z = (graph.dot(row, own) for row in R)
         return x, y, z
 
     # --- derivatives ----------------------------------------------------------------------------------------

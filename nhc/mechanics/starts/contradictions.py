@@ -105,4 +105,4 @@ def _advise(claim: Claim, others: Sequence[Claim]) -> str:
     if off is None:
         return f"leave `{claim.name}` out: it follows from the others"
     fits = changed.value - off
-    return f"leave `{claim.name}` out, or let `{changed.name}` be {fits:.9g}, which fits"
+    return f"leave `{claim.name}` out, or let `{changed.name}` be {fits:.12g}, which fits"
