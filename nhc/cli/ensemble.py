@@ -71,7 +71,7 @@ def run_starts(
         spec = decode(source)
         chosen = find_scene(spec, scene)
         rows = read_starts(text, spec)
-        beside = extreme_scenes(chosen, rows)
+        beside = extreme_scenes(spec, chosen, rows)
         job = open_scene(
             source,
             scene,

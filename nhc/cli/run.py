@@ -277,15 +277,9 @@ def _report(found: Trajectory, target: Path | None) -> int:
 
 def _end_before(found: Trajectory) -> list[str]:
     """The option that writes what comes before the failure; nothing where a scene fails at its start."""
-    from nhc.simulate.task import DONE
-
     start, lost = found.job.start.time[0], found.outcome.t
-    if found.outcome.kind == DONE:  # a column is lost anywhere after the row before
-        lost = max((t for t in found.times if t < lost), default=start)
-        end = lost
-    else:
-        end = start + float(f"{0.99 * (lost - start):.3g}")
-    if not start < end <= lost:
+    end = start + float(f"{0.99 * (lost - start):.3g}")
+    if not start < end < lost:
         return []
     time = f"{start:.12g}:{end:.12g}" if start else f"{end:.12g}"
     return [f"`--time {time}` writes the motion until shortly before"]

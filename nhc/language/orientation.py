@@ -6,8 +6,11 @@ axis where that is now, then again about the third.  The product of the turns' q
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
 from fractions import Fraction
+from sys import float_info
 
 from nhc.diagnostics import Span
 from nhc.language.expressions.constant import ConstantError, evaluate
@@ -15,10 +18,12 @@ from nhc.language.expressions.names import PI
 from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, walk
 from nhc.language.keys import START_FORMS, START_KEYS
 from nhc.language.shape import Shapes
+from nhc.language.spec import Initial, Rotation, Scene
 from nhc.language.yaml_tree.nodes import Items, Node, Table
 
 Quaternion = tuple[Syntax, ...]
 Read = Callable[[Node], Syntax | None]
+_ROUNDING = 4 * float_info.epsilon
 _WAYS = "write `[1, 0, 0, 0]`, `{axis: [0, 0, 1], angle: pi/2}` or `{order: zxz, angles: [0, pi/2, 0]}`"
 
 
@@ -86,6 +91,28 @@ def _normalise(parts: Sequence[Syntax], span: Span, what: str, shapes: Shapes) -
         if sum(number * number for number in known) == 1:
             return tuple(parts)
     return scaled(parts, span)
+
+
+def with_unit_quaternions(rotations: Iterable[Rotation], scene: Scene, given: AbstractSet[str]) -> Scene:
+    """The scene with the quaternions of which some part was ``given`` scaled to length 1: any other length says the same.
+
+    Parts that nobody gives are those of (1, 0, 0, 0).  What has this length stays as it is written.
+    """
+    for rotation in rotations:
+        names = rotation.coordinates
+        own = {entry.name: entry for entry in scene.initial if entry.kind == "coordinate" and entry.name in names}
+        if given.isdisjoint(names) or any(entry.near for entry in own.values()):
+            continue
+        unit = [_number(k == 0, scene.span) for k in range(4)]
+        parts = [own[name].value if name in own else part for name, part in zip(names, unit, strict=True)]
+        squares = [float(number * number) for part in parts if (number := _constant(part)) is not None]
+        if len(squares) < len(parts) or abs(sum(squares) - 1) > _ROUNDING:
+            parts = list(scaled(parts, scene.span))
+        places = [own[name].span if name in own else scene.span for name in names]
+        whole = [Initial("coordinate", *entry) for entry in zip(names, parts, places, strict=True)]
+        others = [entry for entry in scene.initial if entry not in own.values()]
+        scene = replace(scene, initial=(*others, *whole))
+    return scene
 
 
 def scaled(parts: Sequence[Syntax], span: Span) -> Quaternion:

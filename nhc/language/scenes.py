@@ -13,7 +13,7 @@ from nhc.language.expressions.names import ENERGIES, fold
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Number, Syntax
 from nhc.language.keys import NEAR_KEYS, SCENE_KEYS
-from nhc.language.orientation import read_orientation
+from nhc.language.orientation import read_orientation, with_unit_quaternions
 from nhc.language.scope import Scope, check_name, names_in
 from nhc.language.shape import Shapes
 from nhc.language.spec import (
@@ -111,7 +111,7 @@ class _SceneReader:
         initial = self._initial(table.get("initial"))
         time_node = table.get("time")
         time = self._time(time_node) if time_node is not None else None
-        return Scene(
+        scene = Scene(
             name=fold(text.value),
             span=text.span,
             about=self.shapes.line(table.get("about")),
@@ -121,6 +121,9 @@ class _SceneReader:
             need=self._need(table.get("need")),
             tolerance=self._tolerance(table.get("tolerance")),
         )
+        start = table.get("initial")
+        alone = {fold(name.value) for name, _ in start.entries} if isinstance(start, Table) else set[str]()
+        return with_unit_quaternions(self.rotations.values(), scene, alone)
 
     def _unknown(self, text: Text, what: str, known: Sequence[str]) -> None:
         if self.scope.open:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import replace
 from fractions import Fraction
 
@@ -12,12 +11,12 @@ from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import depends, solve_rows
 from nhc.diagnostics import Bag, Source, Span, quote, suggest
-from nhc.language import Definition, Initial, Name, Number, Override, Prime, Scene, Spec, Syntax, walk
+from nhc.language import Definition, Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.advice import meant_rate
 from nhc.language.constants import constant_definitions
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.parser import parse_expression
-from nhc.language.orientation import scaled
+from nhc.language.orientation import with_unit_quaternions
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
 from nhc.mechanics.linearize import quantity
@@ -112,28 +111,7 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
             probe.node(pair.value)
         bag.raise_if_errors()
         given |= {pair.name for pair in pairs}
-    return _scaled(spec, base, given)
-
-
-def _scaled(spec: Spec, scene: Scene, given: AbstractSet[str]) -> Scene:
-    """The scene with the quaternions of which some part was given scaled to length 1: any other length says the same."""
-    for rotation in spec.rotations:
-        if given.isdisjoint(rotation.coordinates):
-            continue
-        place = scene.span
-        parts: dict[str, Syntax] = {
-            c.name: Number(c.start, place) for c in spec.coordinates if c.name in rotation.coordinates
-        }
-        parts |= {entry.name: entry.value for entry in scene.initial if entry.name in parts}
-        values = scaled([parts[name] for name in rotation.coordinates], place)
-        others = [
-            entry for entry in scene.initial if (entry.kind, entry.name) not in {("coordinate", c) for c in parts}
-        ]
-        own = [
-            Initial("coordinate", name, value, place) for name, value in zip(rotation.coordinates, values, strict=True)
-        ]
-        scene = replace(scene, initial=(*others, *own))
-    return scene
+    return with_unit_quaternions(spec.rotations, base, given)
 
 
 def known_pairs(spec: Spec, settings: Sequence[str]) -> tuple[str, ...]:

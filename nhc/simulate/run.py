@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nhc.program.runs.limits import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
@@ -27,6 +27,7 @@ POINTS = 201
 _SMOOTH = 8  # rows in the time of a step: methods of high order step over a good part of a period
 _MOST = 2001  # rows of a picture, which has some 700 pixels for them
 _ROWS_OF_JUMPS = 401
+_ROUNDS, _BETWEEN = 4, 100  # to find a time to 8 digits of the way between two rows
 _LONGEST = 1_000_000  # rows of a scene of which an event leaves a part
 
 
@@ -121,6 +122,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     legs = follower.run(task)
     seconds = time.perf_counter() - before - workshop.seconds
     found = _gather(workshop, legs)
+    if found.ended == "failed" and found.outcome.kind == DONE:
+        found = _find_loss(found, lambda one: _go(workshop, Follower(job, method, workshop.integrate), one), task)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)
     if task.step > 0 and job.jumping is not None:
         seen = legs
@@ -164,6 +167,21 @@ def tell_finest(tolerance: float) -> tuple[str, ...]:
     """A note where an accuracy is asked for that adaptive steps in doubles do not have."""
     finer = f"rounding is what limits steps at a tolerance of {FINEST:.0e}, and {tolerance:.3g} asks for the same ones"
     return (finer,) if tolerance < FINEST * (1.0 - 1e-9) else ()
+
+
+def _find_loss(found: Trajectory, again: Callable[[Task], Trajectory], task: Task) -> Trajectory:
+    """The same rows, and as their end where a needed quantity loses its value: between the last row and the one without it."""
+    lost, good = found.outcome, found.times[-1] if found.times else task.times[0]
+    for _ in range(_ROUNDS):
+        if not good < lost.t:
+            break
+        between = [good + (lost.t - good) * k / _BETWEEN for k in range(1, _BETWEEN + 1)]
+        closer = again(replace(task, times=(task.times[0], *between)))
+        if closer.ended != "failed" or closer.outcome.kind != DONE or not closer.times:
+            break
+        lost, good = closer.outcome, max(good, closer.times[-1])
+        found = replace(found, outcome=replace(found.outcome, t=lost.t, y=lost.y), reason=closer.reason)
+    return found
 
 
 def _go(workshop: Workshop, follower: Follower, task: Task) -> Trajectory:

@@ -12,6 +12,7 @@ from fractions import Fraction
 from nhc.diagnostics import SpecError, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.syntax import Number
+from nhc.language.orientation import with_unit_quaternions
 from nhc.language.spec import Initial, Override, Scene, Spec
 from nhc.mechanics.starts.contradictions import PROJECT
 from nhc.mechanics.starts.scenes import Start, start_of
@@ -111,7 +112,7 @@ def list_starts(system: System, scene: Scene, table: Table) -> list[Start]:
     found = []
     for number, row in enumerate(table.rows, 1):
         try:
-            found.append(start_of(system, vary(scene, table.keys, row)))
+            found.append(start_of(system, vary(system.spec, scene, table.keys, row)))
         except SpecError as error:
             first = error.diagnostics[0]
             advice = [text for text in first.help if text != PROJECT]  # which is not for a table's rows
@@ -119,18 +120,18 @@ def list_starts(system: System, scene: Scene, table: Table) -> list[Start]:
     return found
 
 
-def extreme_scenes(scene: Scene, table: Table) -> tuple[Scene, ...]:
+def extreme_scenes(spec: Spec, scene: Scene, table: Table) -> tuple[Scene, ...]:
     """The scene at the rows that have the least or the largest value of a parameter; each row once, none without parameters."""
     found = dict[int, Scene]()
     for k, (kind, _) in enumerate(table.keys):
         given = [(value, number) for number, row in enumerate(table.rows) if (value := row[k]) is not None]
         if kind == "parameter" and given:
             for _, number in (min(given), max(given)):
-                found[number] = vary(scene, table.keys, table.rows[number])
+                found[number] = vary(spec, scene, table.keys, table.rows[number])
     return tuple(found.values())
 
 
-def vary(scene: Scene, keys: Sequence[Key], row: Sequence[float | None]) -> Scene:
+def vary(spec: Spec, scene: Scene, keys: Sequence[Key], row: Sequence[float | None]) -> Scene:
     """The scene with a row's values in place of its own."""
     given = {key: value for key, value in zip(keys, row, strict=True) if value is not None}
     numbers = {key: Fraction(value) for key, value in given.items()}
@@ -141,4 +142,5 @@ def vary(scene: Scene, keys: Sequence[Key], row: Sequence[float | None]) -> Scen
             parameters[name] = Override(name, value, scene.span)
         else:
             initial[kind, name] = Initial(kind, name, Number(value, scene.span), scene.span)
-    return replace(scene, parameters=tuple(parameters.values()), initial=tuple(initial.values()))
+    made = replace(scene, parameters=tuple(parameters.values()), initial=tuple(initial.values()))
+    return with_unit_quaternions(spec.rotations, made, {name for _, name in numbers})

@@ -114,6 +114,18 @@ def test_the_command_writes_what_the_scene_itself_would(tmp_path: Path, capsys: 
     assert code == 0 and [row[1] for row in rows_of(out)[1]] == [0, 2.5, 5, 7.5, 10] * 2
 
 
+def test_quaternions_of_a_table_have_any_length(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """What four digits are left of, and empty cells for parts of the scene's own."""
+    table = tmp_path / "starts.csv"
+    arguments = ["free_rigid_body_quaternion", "--need", "R_0,R_1,R_2,R_3", "--points", "2"]
+    table.write_text("R_0,R_1,R_2,R_3\n0.7071,0,0,0.7071\n2,0,0,2\n-1,0,0,-1\n")
+    code, out, err = call(capsys, *arguments, "--ensemble", str(table))
+    assert code == 0, err
+    rows = [row[2:] for row in rows_of(out)[1]]
+    assert rows[0] == pytest.approx([0.5**0.5, 0, 0, 0.5**0.5], abs=1e-15)
+    assert rows[3] == pytest.approx(rows[1], abs=1e-12) and rows[5] == pytest.approx([-x for x in rows[1]], abs=1e-12)
+
+
 @pytest.mark.parametrize(
     ("table", "says"),
     [

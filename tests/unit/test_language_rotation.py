@@ -10,6 +10,7 @@ from nhc.cli import main
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec, decode, read
 from nhc.language.expressions.unparse import unparse
+from nhc.pipeline import check
 
 HEAD = "nhc: 1\nsystem: s\n"
 
@@ -90,6 +91,32 @@ def test_a_start_gives_all_four_parts() -> None:
     assert starts["R_0"] == "cos(k/2)"
     assert starts["R_3"] == "sin(k/2)*(2/sqrt(0^2 + 0^2 + 2^2))"
     assert list(starts) == ["R_0", "R_1", "R_2", "R_3", "a"]
+
+
+@pytest.mark.parametrize(
+    ("given", "parts"),
+    [
+        ("R_0: 1", ["1", "0", "0", "0"]),
+        ("R_0: 0.6, R_2: -0.8", ["0.6", "0", "-0.8", "0"]),
+        ("R_0: 2, R_3: 2", [f"{part}/sqrt(2^2 + 0^2 + 0^2 + 2^2)" for part in ("2", "0", "0", "2")]),
+        ("R_1: k", [f"{part}/sqrt(1^2 + k^2 + 0^2 + 0^2)" for part in ("1", "k", "0", "0")]),
+    ],
+)
+def test_parts_of_a_quaternion_have_any_length(given: str, parts: list[str]) -> None:
+    """What has length 1 stays as it is written."""
+    text = (
+        "rotation: {R: {velocities: [a, b, c]}}\nparameters: {k: 2}\nT: a^2 + b^2 + c^2\n"
+        f"scenes: {{s: {{time: [0, 1], initial: {{{given}, a: 1}}}}}}"
+    )
+    starts = {i.name: unparse(i.value) for i in make(text).scenes[0].initial}
+    assert [starts[f"R_{k}"] for k in range(4)] == parts and starts["a"] == "1"
+
+
+def test_a_quaternion_of_no_length_is_refused() -> None:
+    text = "rotation: {R: {velocities: [a, b, c]}}\nT: a^2 + b^2 + c^2\nscenes: {s: {time: [0, 1], initial: {R_0: 0}}}"
+    with pytest.raises(SpecError) as raised:
+        check(Source("s.yaml", HEAD + text))
+    assert any("a quaternion must not be zero" in help for one in raised.value.diagnostics for help in one.help)
 
 
 def test_a_spec_may_extend_one_with_a_rotation(tmp_path: Path) -> None:
