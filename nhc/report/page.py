@@ -97,7 +97,8 @@ def list_check_charts(found: Trajectory, driven: Sequence[str] = ()) -> list[Cha
     Of the energy its relative change, which is an error; but T + V itself where it need not be constant, because of what is
     ``driven``.
     """
-    charts = [_draw_energy(found, bool(driven))] if _columns(found, "energy") else []
+    shown = bool(driven) and any(need.kind == "energy" for need in found.job.scene.need)  # as a column already
+    charts = [_draw_energy(found, bool(driven))] if _columns(found, "energy") and not shown else []
     for group, title in (
         ("residual", "residuals of the constraints"),
         ("position", "holonomic constraints: position residuals"),

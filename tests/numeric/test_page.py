@@ -53,6 +53,13 @@ def test_an_energy_that_is_not_conserved_is_drawn_itself_without_a_legend() -> N
     assert "energy, which is not conserved" in page and "relative change" not in page
 
 
+def test_an_energy_that_is_a_column_already_is_not_drawn_again() -> None:
+    text = WAGON.replace("FORCE", "0.5").replace("need: [reactions, x]", "need: [energy, x]")
+    found = run(open_scene(Source("wagon.yaml", text), checks=True), Settings(points=20, compiled=False))
+    assert not any("energy" in chart.title for chart in list_check_charts(found, ["the force on `x`"]))
+    assert any("energy" in chart.y.label for chart in list_charts(found))
+
+
 def test_a_conserved_energy_has_its_relative_change_without_a_legend() -> None:
     charts = [
         Chart("energy: change", Axis("t"), Axis("relative change", log=True), (Series("energy", [0, 1], [1, 2]),))

@@ -615,6 +615,12 @@ def test_a_chart_ends_with_advice_where_nothing_compiles(
     assert code == 2 and "= help: name another compiler in `CC`" in err and "internal error" not in err
 
 
+def test_methods_that_keep_all_velocities_say_that_they_do(capsys: pytest.CaptureFixture[str]) -> None:
+    for formulation, said in (("euler-lagrange", True), ("multipliers", False)):
+        code, _, err = call(capsys, "cvt", "-m", "perlmutter", "-f", formulation, "--points", "2")
+        assert code == 0 and ("`perlmutter` keeps all velocities" in err) == said
+
+
 def test_the_cache_is_where_it_is_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NHC_CACHE", "/somewhere")
     assert cache_folder() == Path("/somewhere")

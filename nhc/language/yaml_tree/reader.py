@@ -148,7 +148,8 @@ def _check_characters(source: Source, bag: Bag) -> None:
     found = _UNPRINTABLE.search(source.text) or _BREAK.search(source.text)
     if found:
         code = f"U+{ord(found.group()):04X}"
-        bag.error("E0102", f"the character {code} is not allowed in a spec", Span(*found.span()), help=("remove it",))
+        help = "end the line as all others" if _BREAK.match(found.group()) else "remove it"
+        bag.error("E0102", f"the character {code} is not allowed in a spec", Span(*found.span()), help=(help,))
         raise Stop
     blank = _WIDE_BLANK.search(source.text)
     if blank:

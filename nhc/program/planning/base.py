@@ -137,7 +137,7 @@ class PlannerBase:
         what = MASS_LOST
         # determinants of the coframe are in it, squared: it is lost before they are
         if any(not self.is_constant(value) for value, _ in self.equations.guards):
-            what += ", or the velocities that are kept are"
+            what += ", or the velocities that are kept do not suffice"
         g = self.graph
         sizes = [(without_sign(g, pivot), pivot, scale) for pivot, scale in pivots]
         # what is held against itself is refused at zero only

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:9995a50af3254b1a)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:84df0219a7d129de)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of the spec (x', y', z',
@@ -737,15 +737,15 @@ int bicycle_rhs(double t, const double *y, const double *p, double *restrict dyd
             return bicycle_refuse(fabs(-z35), 1e-12 * (k19 * ((z36 + k51) * (z36 + k52))),
                 BICYCLE_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z76 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z76 is 0 */
         if (!(fabs(-z76) > 0.0)) {
             return bicycle_refuse(fabs(-z76), 0.0, BICYCLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z105 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z105 is nearly 0 */
         if (!(fabs(z105) > 1e-13 * z100)) {
             return bicycle_refuse(fabs(z105), 1e-13 * z100, BICYCLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z137 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z137 is nearly 0 */
         if (!(fabs(z137) > 1e-13 * z128)) {
             return bicycle_refuse(fabs(z137), 1e-13 * z128, BICYCLE_SINGULAR_2);
         }
@@ -3003,18 +3003,18 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
         return bicycle_refuse(fabs(z37), 1e-12 * ((z38 + k25) * (k22 * (z38 + k24))), BICYCLE_SINGULAR_1);
     }
     const double z84 = kept[118];
-    /* the mass matrix is singular, or the velocities that are kept are, if z84 is 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z84 is 0 */
     if (!(fabs(z84) > 0.0)) {
         return bicycle_refuse(fabs(z84), 0.0, BICYCLE_SINGULAR_2);
     }
     const double z121 = kept[151];
     const double z127 = kept[154];
-    /* the mass matrix is singular, or the velocities that are kept are, if z127 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z127 is nearly 0 */
     if (!(fabs(z127) > 1e-13 * z121)) {
         return bicycle_refuse(fabs(z127), 1e-13 * z121, BICYCLE_SINGULAR_2);
     }
     const double z164 = kept[187];
-    /* the mass matrix is singular, or the velocities that are kept are, if z174 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z174 is nearly 0 */
     if (!(fabs(z174) > 1e-13 * z164)) {
         return bicycle_refuse(fabs(z174), 1e-13 * z164, BICYCLE_SINGULAR_2);
     }
@@ -4650,7 +4650,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z103 = 1.0 / z76;
     const bicycle_lanes z104 = z102 * z103;
     const bicycle_lanes z105 = z100 + z102 * z104;
-    /* the mass matrix is singular, or the velocities that are kept are, if z105 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z105 is nearly 0 */
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z105)), 1e-13 * z100);
     const bicycle_lanes z106 = z20 * z13;
     const bicycle_lanes z107 = z20 * z25;
@@ -4692,7 +4692,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z135 = 1.0 / z105;
     const bicycle_lanes z136 = z134 * z135;
     const bicycle_lanes z137 = z128 + z131 * z132 - z134 * z136;
-    /* the mass matrix is singular, or the velocities that are kept are, if z137 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z137 is nearly 0 */
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z137)), 1e-13 * z128);
     bicycle_lanes sine4, cosine4;
     bicycle_turn_lanes(BICYCLE_SPREAD(yaw), &far, &sine4, &cosine4);

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:4203abee4435e3e1)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:02cab8a25254e0fd)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of the spec (x', y', z',
@@ -104,7 +104,7 @@ enum {
 enum {
     BICYCLE_OK = 0, /* the result is good */
     BICYCLE_SINGULAR_1 = 1, /* the coframe is singular */
-    BICYCLE_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    BICYCLE_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     BICYCLE_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

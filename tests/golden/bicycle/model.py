@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:a80d6fcf65793eaa).
+"""bicycle, emitted by nhc 0.1.0 (nhc:749c7fe6cee0c42f).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -178,7 +178,7 @@ DEFAULTS: tuple[float, ...] = (
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -416,7 +416,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s7 = z47 * z64 + (z62 * z65 + (z57 * z66 + (z61 * z67 + z74)))
         z75 = z53 * (z58 + z59) + s7
         z76 = z38 * (k23 * z47 - (k21 * z38 - k22 * z48)) - z75
-        # the mass matrix is singular, or the velocities that are kept are, if -z76 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z76 is 0
         if not abs(-z76) > 0.0:
             raise _refuse(abs(-z76), 0.0, 2, "rhs")
         z77 = z16 * z12
@@ -450,8 +451,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z103 = 1.0 / z76
         z104 = z102 * z103
         z105 = z100 + z102 * z104
-        # the mass matrix is singular, or the velocities that are kept are, if z105 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z105 is nearly 0
         if not abs(z105) > 1e-13 * z100:
             raise _refuse(abs(z105), 1e-13 * z100, 2, "rhs")
         z106 = z20 * z13
@@ -495,8 +496,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z135 = 1.0 / z105
         z136 = z134 * z135
         z137 = z128 + z131 * z132 - z134 * z136
-        # the mass matrix is singular, or the velocities that are kept are, if z137 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z137 is nearly 0
         if not abs(z137) > 1e-13 * z128:
             raise _refuse(abs(z137), 1e-13 * z128, 2, "rhs")
         c_yaw = math.cos(yaw)
@@ -1954,7 +1955,8 @@ def jacobian(
         s7 = z65 * z72 + (z70 * z73 + (z63 * z74 + (z68 * z75 + z82)))
         z83 = z53 * z66 + (z67 * z71 + s7)
         z84 = z83 + R_yy * (z61 * z61) + F_yy * (z67 * z67)
-        # the mass matrix is singular, or the velocities that are kept are, if z84 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z84 is 0
         if not abs(z84) > 0.0:
             raise _refuse(abs(z84), 0.0, 2, "jacobian")
         z85 = z18 * z8
@@ -2004,8 +2006,8 @@ def jacobian(
         z125 = 1.0 / z84
         z126 = z124 * z125
         z127 = z121 - z124 * z126
-        # the mass matrix is singular, or the velocities that are kept are, if z127 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z127 is nearly 0
         if not abs(z127) > 1e-13 * z121:
             raise _refuse(abs(z127), 1e-13 * z121, 2, "jacobian")
         z128 = z20 * z25
@@ -2061,8 +2063,8 @@ def jacobian(
         z172 = 1.0 / z127
         z173 = z171 * z172
         z174 = z164 - z167 * z168 - z171 * z173
-        # the mass matrix is singular, or the velocities that are kept are, if z174 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z174 is nearly 0
         if not abs(z174) > 1e-13 * z164:
             raise _refuse(abs(z174), 1e-13 * z164, 2, "jacobian")
         s_yaw = math.sin(yaw)

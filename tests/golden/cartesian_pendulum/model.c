@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:1a65f0ce49f5e3da)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:fd3678e06d06e3bb)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -195,7 +195,7 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *r
         if (!(fabs(z1) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -254,7 +254,7 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(z1) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -324,7 +324,7 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z2) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if m * z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if m * z2 is 0 */
         if (!(fabs(m * z2) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(m * z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
@@ -385,7 +385,7 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(z1) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z1), 0.0, CARTESIAN_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return cartesian_pendulum_refuse(fabs(z2), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a323d533f1b5865d)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e3c03c1f402edc9c)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -67,7 +67,7 @@ enum {
 enum {
     CARTESIAN_PENDULUM_OK = 0, /* the result is good */
     CARTESIAN_PENDULUM_SINGULAR_1 = 1, /* the coframe is singular */
-    CARTESIAN_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    CARTESIAN_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     CARTESIAN_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:d9a0066ed29b72b5).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:90ddbaa97aa6750f).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -54,7 +54,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 9.81)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -114,7 +114,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "rhs")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         dydt: list[float] = [
@@ -184,7 +185,8 @@ def accelerations(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "accelerations")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         z3 = v * v
@@ -272,8 +274,8 @@ def reactions(
         # the coframe is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 1, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are, if m * z2 is
-        # 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if m * z2 is 0
         if not abs(m * z2) > 0.0:
             raise _refuse(abs(m * z2), 0.0, 2, "reactions")
         z3 = v * v
@@ -334,7 +336,8 @@ def jacobian(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "jacobian")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         z3 = 1.0 / z2

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:eeeb9baf9575acd1)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b94e53f890c0dcca)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -296,15 +296,15 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restr
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z3)) {
             return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z16 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z16 is nearly 0 */
         if (!(fabs(z16) > 1e-13 * z9)) {
             return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -444,15 +444,15 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z3)) {
             return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z16 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z16 is nearly 0 */
         if (!(fabs(z16) > 1e-13 * z9)) {
             return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -606,15 +606,15 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
         if (!(fabs(z8) > 1e-13 * z3)) {
             return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z18 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z9)) {
             return chaplygin_ball_refuse(fabs(z18), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -829,15 +829,15 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z3 is 0 */
         if (!(fabs(z3) > 0.0)) {
             return chaplygin_ball_refuse(fabs(z3), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z11 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z11 is nearly 0 */
         if (!(fabs(z11) > 1e-13 * z5)) {
             return chaplygin_ball_refuse(fabs(z11), 1e-13 * z5, CHAPLYGIN_BALL_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z21 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z21 is nearly 0 */
         if (!(fabs(z21) > 1e-13 * z12)) {
             return chaplygin_ball_refuse(fabs(z21), 1e-13 * z12, CHAPLYGIN_BALL_SINGULAR_2);
         }
@@ -931,7 +931,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z6 = 1.0 / z2;
     const chaplygin_ball_lanes z7 = z6 * z5;
     const chaplygin_ball_lanes z8 = z3 - z5 * z7;
-    /* the mass matrix is singular, or the velocities that are kept are, if z8 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
     bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z8)), 1e-13 * z3);
     const chaplygin_ball_lanes z9 = I3 + z4;
     const chaplygin_ball_lanes c_theta = cosine1;
@@ -942,7 +942,7 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     const chaplygin_ball_lanes z14 = 1.0 / z8;
     const chaplygin_ball_lanes z15 = z13 * z14;
     const chaplygin_ball_lanes z16 = z9 - z11 * z12 - z13 * z15;
-    /* the mass matrix is singular, or the velocities that are kept are, if z16 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z16 is nearly 0 */
     bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z16)), 1e-13 * z9);
     chaplygin_ball_lanes sine3, cosine3;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(phi), &far, &sine3, &cosine3);

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:7d71889d60fd6ced)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:073a58ef3547050d)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -77,7 +77,7 @@ enum {
 enum {
     CHAPLYGIN_BALL_OK = 0, /* the result is good */
     CHAPLYGIN_BALL_SINGULAR_1 = 1, /* the coframe is singular */
-    CHAPLYGIN_BALL_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    CHAPLYGIN_BALL_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     CHAPLYGIN_BALL_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

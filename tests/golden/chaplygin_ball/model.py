@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:c892a03d73ebbaa6).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:7476701bb74ebc41).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -64,7 +64,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 1.0, 0.4, 0.5, 0.7)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -135,7 +135,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_psi = math.cos(psi)
@@ -145,8 +146,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is nearly 0
         if not abs(z8) > 1e-13 * z3:
             raise _refuse(abs(z8), 1e-13 * z3, 2, "rhs")
         z9 = I3 + z4
@@ -158,8 +159,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular, or the velocities that are kept are, if z16 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z16 is nearly 0
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
         s_phi = math.sin(phi)
@@ -281,7 +282,8 @@ def accelerations(
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_psi = math.cos(psi)
@@ -291,8 +293,8 @@ def accelerations(
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is nearly 0
         if not abs(z8) > 1e-13 * z3:
             raise _refuse(abs(z8), 1e-13 * z3, 2, "accelerations")
         z9 = I3 + z4
@@ -304,8 +306,8 @@ def accelerations(
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular, or the velocities that are kept are, if z16 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z16 is nearly 0
         if not abs(z16) > 1e-13 * z9:
             raise _refuse(abs(z16), 1e-13 * z9, 2, "accelerations")
         z17 = s_psi * w2 - c_psi * w1
@@ -464,7 +466,8 @@ def reactions(
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_psi = math.cos(psi)
@@ -474,8 +477,8 @@ def reactions(
         z6 = 1.0 / z2
         z7 = z6 * z5
         z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is nearly 0
         if not abs(z8) > 1e-13 * z3:
             raise _refuse(abs(z8), 1e-13 * z3, 2, "reactions")
         z9 = I3 + z4
@@ -489,8 +492,8 @@ def reactions(
         z16 = 1.0 / z8
         z17 = z16 * z15
         z18 = z9 - z12 * z13 - z15 * z17
-        # the mass matrix is singular, or the velocities that are kept are, if z18 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z18 is nearly 0
         if not abs(z18) > 1e-13 * z9:
             raise _refuse(abs(z18), 1e-13 * z9, 2, "reactions")
         c_phi = math.cos(phi)
@@ -592,7 +595,8 @@ def jacobian(
         z1 = s_psi * s_psi
         z2 = s_theta * s_theta
         z3 = I1 + k1 * (1.0 - z1 * z2)
-        # the mass matrix is singular, or the velocities that are kept are, if z3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z3 is 0
         if not abs(z3) > 0.0:
             raise _refuse(abs(z3), 0.0, 2, "jacobian")
         c_psi = math.cos(psi)
@@ -604,8 +608,8 @@ def jacobian(
         z9 = 1.0 / z3
         z10 = z8 * z9
         z11 = z5 - z8 * z10
-        # the mass matrix is singular, or the velocities that are kept are, if z11 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z11 is nearly 0
         if not abs(z11) > 1e-13 * z5:
             raise _refuse(abs(z11), 1e-13 * z5, 2, "jacobian")
         z12 = I3 + z6
@@ -619,8 +623,8 @@ def jacobian(
         z19 = 1.0 / z11
         z20 = z18 * z19
         z21 = z12 - z15 * z16 - z18 * z20
-        # the mass matrix is singular, or the velocities that are kept are, if z21 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z21 is nearly 0
         if not abs(z21) > 1e-13 * z12:
             raise _refuse(abs(z21), 1e-13 * z12, 2, "jacobian")
         c_phi = math.cos(phi)

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:c9b8388949c3492b)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:c9e99ceef6e8f5c5)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Equations of motion: euler-lagrange (I.2.14)
  * Why: quasi-velocities of the spec
@@ -239,15 +239,15 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *rest
     dydt[5] = w1 * w2 * k3; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
@@ -336,15 +336,15 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     qddot[2] = w1 * w2 * k3 - (z3 * z2 + c_theta * z9); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
@@ -415,15 +415,15 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* from the state */
-    /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if I1 is 0 */
     if (!(fabs(I1) > 0.0)) {
         return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if I2 is 0 */
     if (!(fabs(I2) > 0.0)) {
         return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
-    /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
         return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
@@ -504,15 +504,15 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[13] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I1 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I1 is 0 */
         if (!(fabs(I1) > 0.0)) {
             return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I2 is 0 */
         if (!(fabs(I2) > 0.0)) {
             return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I3 is 0 */
         if (!(fabs(I3) > 0.0)) {
             return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }

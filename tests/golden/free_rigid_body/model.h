@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:a571c46d15f7b640)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:2fc2b1db25fc957e)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Equations of motion: euler-lagrange (I.2.14)
  * Why: quasi-velocities of the spec
@@ -66,7 +66,7 @@ enum {
 enum {
     FREE_RIGID_BODY_OK = 0, /* the result is good */
     FREE_RIGID_BODY_SINGULAR_1 = 1, /* the coframe is singular */
-    FREE_RIGID_BODY_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    FREE_RIGID_BODY_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     FREE_RIGID_BODY_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

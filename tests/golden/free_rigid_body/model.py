@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:d368a9a21899103e).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:101c61649f69419b).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -54,7 +54,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 2.0, 3.0)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -109,13 +109,16 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "rhs")
         # from the parameters alone
@@ -207,13 +210,16 @@ def accelerations(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -322,13 +328,16 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "reactions")
         # from the state
@@ -381,13 +390,16 @@ def jacobian(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I1 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I1 is 0
         if not abs(I1) > 0.0:
             raise _refuse(abs(I1), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are, if I2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I2 is 0
         if not abs(I2) > 0.0:
             raise _refuse(abs(I2), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are, if I3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I3 is 0
         if not abs(I3) > 0.0:
             raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # from the parameters alone

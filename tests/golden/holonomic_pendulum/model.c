@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:173c75f2ca5b9854)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:edb6d16176b8c989)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
@@ -197,7 +197,7 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *r
         if (!(fabs(z1) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -256,7 +256,7 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(z1) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -346,7 +346,7 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if m * z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if m * z2 is 0 */
         if (!(fabs(m * z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(m * z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
@@ -407,7 +407,7 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(z1) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
         if (!(fabs(z2) > 0.0)) {
             return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }

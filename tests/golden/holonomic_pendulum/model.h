@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:5e44fd0e2e24f98c)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:60ffb7f2beb40dc6)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
@@ -65,7 +65,7 @@ enum {
 enum {
     HOLONOMIC_PENDULUM_OK = 0, /* the result is good */
     HOLONOMIC_PENDULUM_SINGULAR_1 = 1, /* the coframe is singular */
-    HOLONOMIC_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    HOLONOMIC_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     HOLONOMIC_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:96a9006b88a5e1e5).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:8e65c95a4fd32618).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -54,7 +54,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 9.81, 1.0)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -114,7 +114,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "rhs")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "rhs")
         dydt: list[float] = [
@@ -184,7 +185,8 @@ def accelerations(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "accelerations")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "accelerations")
         z3 = v * v
@@ -298,8 +300,8 @@ def reactions(
         # the coframe is singular, if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 1, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are, if m * z2 is
-        # 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if m * z2 is 0
         if not abs(m * z2) > 0.0:
             raise _refuse(abs(m * z2), 0.0, 2, "reactions")
         z3 = v * v
@@ -360,7 +362,8 @@ def jacobian(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 1, "jacobian")
         z2 = m * z1
-        # the mass matrix is singular, or the velocities that are kept are, if z2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z2 is 0
         if not abs(z2) > 0.0:
             raise _refuse(abs(z2), 0.0, 2, "jacobian")
         z3 = 1.0 / z2

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:f3b793dcebb56add)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:78ae1504638d9441)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -366,15 +366,15 @@ int rattleback_rhs(double t, const double *y, const double *p, double *restrict 
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z11)) {
             return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z22 is nearly 0 */
         if (!(fabs(z22) > 1e-13 * z16)) {
             return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
@@ -569,15 +569,15 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z11)) {
             return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z22 is nearly 0 */
         if (!(fabs(z22) > 1e-13 * z16)) {
             return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
@@ -806,15 +806,15 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is 0 */
         if (!(fabs(z8) > 0.0)) {
             return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z11)) {
             return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z22 is nearly 0 */
         if (!(fabs(z22) > 1e-13 * z16)) {
             return rattleback_refuse(fabs(z22), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
         }
@@ -1421,17 +1421,17 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
         return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
     }
-    /* the mass matrix is singular, or the velocities that are kept are, if z8 is 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is 0 */
     if (!(fabs(z8) > 0.0)) {
         return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
     }
     const double z11 = kept[19];
     const double z15 = kept[23];
-    /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
     if (!(fabs(z15) > 1e-13 * z11)) {
         return rattleback_refuse(fabs(z15), 1e-13 * z11, RATTLEBACK_SINGULAR_2);
     }
-    /* the mass matrix is singular, or the velocities that are kept are, if z23 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z23 is nearly 0 */
     if (!(fabs(z23) > 1e-13 * z16)) {
         return rattleback_refuse(fabs(z23), 1e-13 * z16, RATTLEBACK_SINGULAR_2);
     }
@@ -1531,7 +1531,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z13 = 1.0 / z8;
     const rattleback_lanes z14 = z12 * z13;
     const rattleback_lanes z15 = z11 - z12 * z14;
-    /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
     bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z15)), 1e-13 * z11);
     const rattleback_lanes z16 = I_c + (z7 + z10);
     const rattleback_lanes z17 = r1 * r3;
@@ -1540,7 +1540,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z20 = 1.0 / z15;
     const rattleback_lanes z21 = z19 * z20;
     const rattleback_lanes z22 = z16 - z17 * z18 - z19 * z21;
-    /* the mass matrix is singular, or the velocities that are kept are, if z22 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z22 is nearly 0 */
     bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z22)), 1e-13 * z16);
     rattleback_lanes sine3, cosine3;
     rattleback_turn_lanes(RATTLEBACK_SPREAD(gamma_), &far, &sine3, &cosine3);

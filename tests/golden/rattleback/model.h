@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:5814d69d78db9f6c)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:3557d0763e9d95fc)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -78,7 +78,7 @@ enum {
 enum {
     RATTLEBACK_OK = 0, /* the result is good */
     RATTLEBACK_SINGULAR_1 = 1, /* the coframe is singular */
-    RATTLEBACK_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    RATTLEBACK_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     RATTLEBACK_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:65cae55095c29a35).
+"""rattleback, emitted by nhc 0.1.0 (nhc:5108d9d0c8f8a87b).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -68,7 +68,7 @@ DEFAULTS: tuple[float, ...] = (20.0, 3.0, 2.0, 1.0, 2.0, 16.0, 17.0, -0.2, 981.0
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -153,7 +153,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = z1 * k1
@@ -164,8 +165,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are, if z15 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z15 is nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "rhs")
         z16 = I_c + (z7 + z10)
@@ -175,8 +176,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular, or the velocities that are kept are, if z22 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z22 is nearly 0
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "rhs")
         s_gamma = math.sin(gamma)
@@ -356,7 +357,8 @@ def accelerations(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "accelerations")
         z9 = z1 * k1
@@ -367,8 +369,8 @@ def accelerations(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are, if z15 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z15 is nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "accelerations")
         z16 = I_c + (z7 + z10)
@@ -378,8 +380,8 @@ def accelerations(
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular, or the velocities that are kept are, if z22 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z22 is nearly 0
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "accelerations")
         z23 = r3 * w1 - r1 * w3
@@ -611,7 +613,8 @@ def reactions(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = z1 * k1
@@ -622,8 +625,8 @@ def reactions(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are, if z15 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z15 is nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "reactions")
         z16 = I_c + (z7 + z10)
@@ -633,8 +636,8 @@ def reactions(
         z20 = 1.0 / z15
         z21 = z19 * z20
         z22 = z16 - z17 * z18 - z19 * z21
-        # the mass matrix is singular, or the velocities that are kept are, if z22 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z22 is nearly 0
         if not abs(z22) > 1e-13 * z16:
             raise _refuse(abs(z22), 1e-13 * z16, 2, "reactions")
         c_gamma = math.cos(gamma)
@@ -797,7 +800,8 @@ def jacobian(
         z6 = z2 * z5
         z7 = z6 * z6
         z8 = I_a + (z4 + z7)
-        # the mass matrix is singular, or the velocities that are kept are, if z8 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z8 is 0
         if not abs(z8) > 0.0:
             raise _refuse(abs(z8), 0.0, 2, "jacobian")
         z9 = z1 * k1
@@ -808,8 +812,8 @@ def jacobian(
         z13 = 1.0 / z8
         z14 = z12 * z13
         z15 = z11 - z12 * z14
-        # the mass matrix is singular, or the velocities that are kept are, if z15 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z15 is nearly 0
         if not abs(z15) > 1e-13 * z11:
             raise _refuse(abs(z15), 1e-13 * z11, 2, "jacobian")
         z16 = I_c + (z7 + z10)
@@ -820,8 +824,8 @@ def jacobian(
         z21 = 1.0 / z15
         z22 = z20 * z21
         z23 = z16 - z17 * z18 - z20 * z22
-        # the mass matrix is singular, or the velocities that are kept are, if z23 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z23 is nearly 0
         if not abs(z23) > 1e-13 * z16:
             raise _refuse(abs(z23), 1e-13 * z16, 2, "jacobian")
         s_gamma = math.sin(gamma)

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:aee3e5d0c25a8f5c)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:f092f7d6b954c561)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -270,15 +270,15 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *restric
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k6 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k6 is 0 */
         if (!(fabs(k6) > 0.0)) {
             return rolling_disk_refuse(fabs(k6), 0.0, ROLLING_DISK_SINGULAR_2);
         }
@@ -384,15 +384,15 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     qddot[4] = z11 + (z3 * (s_theta * w_t) + c_theta * z13); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
@@ -517,15 +517,15 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(A) > 0.0 * (lambda[0] + lambda[1]) && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k4 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k4 is 0 */
         if (!(fabs(k4) > 0.0)) {
             return rolling_disk_refuse(fabs(k4), 0.0, ROLLING_DISK_SINGULAR_2);
         }
@@ -640,15 +640,15 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[35] + J[43] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
         J[61] + J[62]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if A is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if A is 0 */
         if (!(fabs(A) > 0.0)) {
             return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k2 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k2 is 0 */
         if (!(fabs(k2) > 0.0)) {
             return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if k3 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }

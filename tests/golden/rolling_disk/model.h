@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:b33bf20ddef7fca4)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:f2bd9edb26f1a2c1)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -74,7 +74,7 @@ enum {
 enum {
     ROLLING_DISK_OK = 0, /* the result is good */
     ROLLING_DISK_SINGULAR_1 = 1, /* the coframe is singular */
-    ROLLING_DISK_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    ROLLING_DISK_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     ROLLING_DISK_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:48aa844534525e78).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:a84ad538a46bb242).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Equations of motion: euler-lagrange (I.2.15)
@@ -63,7 +63,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.0625, 0.125, 9.81)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -120,20 +120,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if A is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "rhs")
         # from the parameters alone
         k1 = m * R
         k2 = R * k1
         k3 = C + k2
-        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = g * k1
         k5 = 1.0 / A
         k6 = A + k2
-        # the mass matrix is singular, or the velocities that are kept are, if k6 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k6 is 0
         if not abs(k6) > 0.0:
             raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = -1.0 / k6
@@ -240,17 +243,20 @@ def accelerations(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if A is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "accelerations")
         # from the parameters alone
         k1 = m * R * R
         k2 = A + k1
-        # the mass matrix is singular, or the velocities that are kept are, if k2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = C + k1
-        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = g * (m * R)
@@ -394,18 +400,21 @@ def reactions(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if A is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "reactions")
         # from the parameters alone
         k1 = m * R
         k2 = m * R * R
         k3 = A + k2
-        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = C + k2
-        # the mass matrix is singular, or the velocities that are kept are, if k4 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k4 is 0
         if not abs(k4) > 0.0:
             raise _refuse(abs(k4), 0.0, 2, "reactions")
         k5 = g * k1
@@ -485,17 +494,20 @@ def jacobian(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if A is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if A is 0
         if not abs(A) > 0.0:
             raise _refuse(abs(A), 0.0, 2, "jacobian")
         # from the parameters alone
         k1 = m * R * R
         k2 = A + k1
-        # the mass matrix is singular, or the velocities that are kept are, if k2 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k2 is 0
         if not abs(k2) > 0.0:
             raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = C + k1
-        # the mass matrix is singular, or the velocities that are kept are, if k3 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = g * (m * R)

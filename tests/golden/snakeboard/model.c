@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:67f122a455113d9c)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:d05b4ecdb28e6df5)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
@@ -310,11 +310,11 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z2 + z14) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z15) > 1e-13 * z15)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -322,7 +322,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *restrict 
         if (!(fabs(z2 + z14) > 1e-12 * (4.0 + 8.0 * (k2 * k2)))) {
             return snakeboard_refuse(fabs(z2 + z14), 1e-12 * (4.0 + 8.0 * (k2 * k2)), SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
         if (!(fabs(z15) > 1e-13 * z15)) {
             return snakeboard_refuse(fabs(z15), 1e-13 * z15, SNAKEBOARD_SINGULAR_2);
         }
@@ -469,11 +469,11 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z2 + (z10 * z10 + z13 * z13)) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z14) > 1e-13 * z14)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -482,7 +482,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
             return snakeboard_refuse(fabs(z2 + (z10 * z10 + z13 * z13)), 1e-12 * (4.0 + 8.0 * (k2 * k2)),
                 SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z14 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z14 is nearly 0 */
         if (!(fabs(z14) > 1e-13 * z14)) {
             return snakeboard_refuse(fabs(z14), 1e-13 * z14, SNAKEBOARD_SINGULAR_2);
         }
@@ -674,11 +674,11 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     if (!(fabs(J_r * J_w) > 0.0 * (lambda[0] + lambda[1])
         && fabs(z2 + (z10 * z10 + z13 * z13)) > 1e-12 * (4.0 + 8.0 * (k3 * k3))
         && fabs(z14) > 1e-13 * z14)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -687,7 +687,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
             return snakeboard_refuse(fabs(z2 + (z10 * z10 + z13 * z13)), 1e-12 * (4.0 + 8.0 * (k3 * k3)),
                 SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z14 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z14 is nearly 0 */
         if (!(fabs(z14) > 1e-13 * z14)) {
             return snakeboard_refuse(fabs(z14), 1e-13 * z14, SNAKEBOARD_SINGULAR_2);
         }
@@ -912,11 +912,11 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
         J[78] + J[95] + J[99])
         && fabs(z2 + (z13 * z13 + z17 * z17)) > 1e-12 * (4.0 + 8.0 * (k2 * k2))
         && fabs(z18) > 1e-13 * z18)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if J_r is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_r is 0 */
         if (!(fabs(J_r) > 0.0)) {
             return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if J_w is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if J_w is 0 */
         if (!(fabs(J_w) > 0.0)) {
             return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
@@ -925,7 +925,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
             return snakeboard_refuse(fabs(z2 + (z13 * z13 + z17 * z17)), 1e-12 * (4.0 + 8.0 * (k2 * k2)),
                 SNAKEBOARD_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if z18 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z18 is nearly 0 */
         if (!(fabs(z18) > 1e-13 * z18)) {
             return snakeboard_refuse(fabs(z18), 1e-13 * z18, SNAKEBOARD_SINGULAR_2);
         }
@@ -1034,7 +1034,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z2 + z14)), SNAKEBOARD_SPREAD(1e-12 * (4.0 +
         8.0 * (k2 * k2))));
     const snakeboard_lanes z15 = J * z2 + m * z14;
-    /* the mass matrix is singular, or the velocities that are kept are, if z15 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z15 is nearly 0 */
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z15)), 1e-13 * z15);
     const snakeboard_lanes z16 = z1 * v;
     const snakeboard_lanes z17 = t_ * nu;

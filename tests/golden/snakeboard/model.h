@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:8fa4da1cf8745c65)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:385498e7a32113a3)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
@@ -79,7 +79,7 @@ enum {
 enum {
     SNAKEBOARD_OK = 0, /* the result is good */
     SNAKEBOARD_SINGULAR_1 = 1, /* the coframe is singular */
-    SNAKEBOARD_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    SNAKEBOARD_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     SNAKEBOARD_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

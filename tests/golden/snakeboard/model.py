@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:4daa267a2694e11f).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:3113e078fdc21525).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -82,7 +82,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.1, 0.05, 0.02, 0.05, 0.02, 1.0)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -145,10 +145,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "rhs")
         # from the parameters alone
@@ -183,8 +185,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z2 + z14) > 1e-12 * s3:
             raise _refuse(abs(z2 + z14), 1e-12 * s3, 1, "rhs")
         z15 = J * z2 + m * z14
-        # the mass matrix is singular, or the velocities that are kept are, if z15 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z15 is nearly 0
         if not abs(z15) > 1e-13 * z15:
             raise _refuse(abs(z15), 1e-13 * z15, 2, "rhs")
         z16 = z1 * v
@@ -318,10 +320,12 @@ def accelerations(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -357,8 +361,8 @@ def accelerations(
         if not abs(s4) > 1e-12 * s5:
             raise _refuse(abs(s4), 1e-12 * s5, 1, "accelerations")
         z14 = J * z2 + k1 * (z9 * z9 + z12 * z12)
-        # the mass matrix is singular, or the velocities that are kept are, if z14 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z14 is nearly 0
         if not abs(z14) > 1e-13 * z14:
             raise _refuse(abs(z14), 1e-13 * z14, 2, "accelerations")
         z15 = l * v
@@ -534,10 +538,12 @@ def reactions(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "reactions")
         # from the parameters alone
@@ -572,8 +578,8 @@ def reactions(
         if not abs(s4) > 1e-12 * s5:
             raise _refuse(abs(s4), 1e-12 * s5, 1, "reactions")
         z14 = J * z2 + k2 * (z9 * z9 + z12 * z12)
-        # the mass matrix is singular, or the velocities that are kept are, if z14 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z14 is nearly 0
         if not abs(z14) > 1e-13 * z14:
             raise _refuse(abs(z14), 1e-13 * z14, 2, "reactions")
         z15 = k1 * z12
@@ -690,10 +696,12 @@ def jacobian(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if J_r is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_r is 0
         if not abs(J_r) > 0.0:
             raise _refuse(abs(J_r), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are, if J_w is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if J_w is 0
         if not abs(J_w) > 0.0:
             raise _refuse(abs(J_w), 0.0, 2, "jacobian")
         # from the parameters alone
@@ -731,8 +739,8 @@ def jacobian(
         if not abs(s4) > 1e-12 * s5:
             raise _refuse(abs(s4), 1e-12 * s5, 1, "jacobian")
         z18 = J_2 * z2 + k1 * (z12 * z12 + z16 * z16)
-        # the mass matrix is singular, or the velocities that are kept are, if z18 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if z18 is nearly 0
         if not abs(z18) > 1e-13 * z18:
             raise _refuse(abs(z18), 1e-13 * z18, 2, "jacobian")
         z19 = l * v

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:e3cff58b6e6957c5)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:bd62f39e7a37f008)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -240,11 +240,11 @@ int suslov_rhs(double t, const double *y, const double *p, double *restrict dydt
     dydt[4] = w1 * z2 * k2; /* w2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
@@ -334,11 +334,11 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     qddot[2] = -(z4 * (s_theta * z2) + c_theta * z11); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
@@ -433,11 +433,11 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     lambda[0] = -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }
@@ -518,11 +518,11 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[11] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the mass matrix is singular, or the velocities that are kept are, if I11 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I11 is 0 */
         if (!(fabs(I11) > 0.0)) {
             return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if I22 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if I22 is 0 */
         if (!(fabs(I22) > 0.0)) {
             return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
         }

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:76eab65b82f8ac99)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:6b42ca4069420f5a)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -68,7 +68,7 @@ enum {
 enum {
     SUSLOV_OK = 0, /* the result is good */
     SUSLOV_SINGULAR_1 = 1, /* the coframe is singular */
-    SUSLOV_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    SUSLOV_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     SUSLOV_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:4ec165752a85836e).
+"""suslov, emitted by nhc 0.1.0 (nhc:74e586ea04c1e3fc).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Equations of motion: euler-lagrange (I.2.15)
@@ -57,7 +57,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 1.6, 2.0, 0.3, -0.2)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -112,10 +112,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "rhs")
-        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "rhs")
         # from the parameters alone
@@ -204,10 +206,12 @@ def accelerations(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "accelerations")
-        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "accelerations")
         # from the parameters alone
@@ -325,10 +329,12 @@ def reactions(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "reactions")
-        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "reactions")
         # from the parameters alone
@@ -387,10 +393,12 @@ def jacobian(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # the mass matrix is singular, or the velocities that are kept are, if I11 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I11 is 0
         if not abs(I11) > 0.0:
             raise _refuse(abs(I11), 0.0, 2, "jacobian")
-        # the mass matrix is singular, or the velocities that are kept are, if I22 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if I22 is 0
         if not abs(I22) > 0.0:
             raise _refuse(abs(I22), 0.0, 2, "jacobian")
         # from the parameters alone

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:b927db5250b0ccdd)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:a62858d2726f6c8c)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -270,11 +270,11 @@ int veselova_rhs(double t, const double *y, const double *p, double *restrict dy
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z8 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z8 is 0 */
         if (!(fabs(-z8) > 0.0)) {
             return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z14 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z14 is nearly 0 */
         if (!(fabs(-z14) > 1e-13 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
@@ -383,11 +383,11 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z7 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z7 is 0 */
         if (!(fabs(-z7) > 0.0)) {
             return veselova_refuse(fabs(-z7), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z13 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z13 is nearly 0 */
         if (!(fabs(-z13) > 1e-13 * z12)) {
             return veselova_refuse(fabs(-z13), 1e-13 * z12, VESELOVA_SINGULAR_2);
         }
@@ -519,11 +519,11 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z8 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z8 is 0 */
         if (!(fabs(-z8) > 0.0)) {
             return veselova_refuse(fabs(-z8), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z14 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z14 is nearly 0 */
         if (!(fabs(-z14) > 1e-13 * z13)) {
             return veselova_refuse(fabs(-z14), 1e-13 * z13, VESELOVA_SINGULAR_2);
         }
@@ -719,11 +719,11 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z11 is 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z11 is 0 */
         if (!(fabs(-z11) > 0.0)) {
             return veselova_refuse(fabs(-z11), 0.0, VESELOVA_SINGULAR_2);
         }
-        /* the mass matrix is singular, or the velocities that are kept are, if -z17 is nearly 0 */
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z17 is nearly 0 */
         if (!(fabs(-z17) > 1e-13 * z16)) {
             return veselova_refuse(fabs(-z17), 1e-13 * z16, VESELOVA_SINGULAR_2);
         }
@@ -824,7 +824,7 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z12 = z10 * z11;
     const veselova_lanes z13 = z3 - c_phi * z9;
     const veselova_lanes z14 = z10 * z12 - z13;
-    /* the mass matrix is singular, or the velocities that are kept are, if -z14 is nearly 0 */
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if -z14 is nearly 0 */
     bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-13 * z13);
     const veselova_lanes z15 = s_phi * w_x - c_phi * w_y;
     const veselova_lanes z16 = z15 / s_theta;

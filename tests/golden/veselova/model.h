@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:e702248a7f1d73d2)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:9654cc8bde34bf57)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -67,7 +67,7 @@ enum {
 enum {
     VESELOVA_OK = 0, /* the result is good */
     VESELOVA_SINGULAR_1 = 1, /* the coframe is singular */
-    VESELOVA_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept are */
+    VESELOVA_SINGULAR_2 = 2, /* the mass matrix is singular, or the velocities that are kept do not suffice */
     VESELOVA_NOT_FINITE = 3 /* a result is infinite or not a number */
 };
 

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:9a86f9a4578f4f8c).
+"""veselova, emitted by nhc 0.1.0 (nhc:f9d97e9fda3fe193).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Equations of motion: euler-lagrange (I.2.15)
@@ -56,7 +56,7 @@ DEFAULTS: tuple[float, ...] = (1.0, 1.7, 2.3)
 REASONS = (
     "",
     "the coframe is singular",
-    "the mass matrix is singular, or the velocities that are kept are",
+    "the mass matrix is singular, or the velocities that are kept do not suffice",
     "a result is not finite or not defined",
 )
 NOT_FINITE = 3
@@ -133,7 +133,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular, or the velocities that are kept are, if -z8 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z8 is 0
         if not abs(-z8) > 0.0:
             raise _refuse(abs(-z8), 0.0, 2, "rhs")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -142,8 +143,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular, or the velocities that are kept are, if -z14 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z14 is nearly 0
         if not abs(-z14) > 1e-13 * z13:
             raise _refuse(abs(-z14), 1e-13 * z13, 2, "rhs")
         z15 = s_phi * w_x - c_phi * w_y
@@ -247,7 +248,8 @@ def accelerations(
         c_psi = math.cos(psi)
         z6 = c_theta * (s_psi * c_psi) * k1
         z7 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z6))
-        # the mass matrix is singular, or the velocities that are kept are, if -z7 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z7 is 0
         if not abs(-z7) > 0.0:
             raise _refuse(abs(-z7), 0.0, 2, "accelerations")
         z8 = c_phi * z5 - 2.0 * (s_phi * z6)
@@ -256,8 +258,8 @@ def accelerations(
         z11 = z9 * z10
         z12 = z3 - c_phi * z8
         z13 = z9 * z11 - z12
-        # the mass matrix is singular, or the velocities that are kept are, if -z13 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z13 is nearly 0
         if not abs(-z13) > 1e-13 * z12:
             raise _refuse(abs(-z13), 1e-13 * z12, 2, "accelerations")
         z14 = 1.0 / s_theta
@@ -390,7 +392,8 @@ def reactions(
         z6 = s_psi * c_theta
         z7 = k1 * (c_psi * z6)
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
-        # the mass matrix is singular, or the velocities that are kept are, if -z8 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z8 is 0
         if not abs(-z8) > 0.0:
             raise _refuse(abs(-z8), 0.0, 2, "reactions")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
@@ -399,8 +402,8 @@ def reactions(
         z12 = z10 * z11
         z13 = z3 - c_phi * z9
         z14 = z10 * z12 - z13
-        # the mass matrix is singular, or the velocities that are kept are, if -z14 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z14 is nearly 0
         if not abs(-z14) > 1e-13 * z13:
             raise _refuse(abs(-z14), 1e-13 * z13, 2, "reactions")
         z15 = s_phi * w_x - c_phi * w_y
@@ -515,7 +518,8 @@ def jacobian(
         z9 = z8 * k1
         z10 = s_phi * z6 + 2.0 * (c_phi * z9)
         z11 = z3 - s_phi * z10
-        # the mass matrix is singular, or the velocities that are kept are, if -z11 is 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z11 is 0
         if not abs(-z11) > 0.0:
             raise _refuse(abs(-z11), 0.0, 2, "jacobian")
         z12 = c_phi * z6 - 2.0 * (s_phi * z9)
@@ -524,8 +528,8 @@ def jacobian(
         z15 = z13 * z14
         z16 = z3 - c_phi * z12
         z17 = z13 * z15 - z16
-        # the mass matrix is singular, or the velocities that are kept are, if -z17 is
-        # nearly 0
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if -z17 is nearly 0
         if not abs(-z17) > 1e-13 * z16:
             raise _refuse(abs(-z17), 1e-13 * z16, 2, "jacobian")
         z18 = 1.0 / s_theta
