@@ -64,7 +64,7 @@ def open_scene(
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
     system, event = resolve_event(spec, until) if until else (resolve(spec), None)
     natural = method in STRUCTURE
-    unheard = natural and bool(system.constraints) and formulation not in ("", "multipliers")
+    unheard = _tell_unheard(method, formulation) if natural and system.constraints else ()
     if natural and system.constraints and not formulation:
         formulation = "multipliers"  # its state has all velocities: these methods need not keep them on the constraints
     form = formulate(system, formulation)
@@ -77,14 +77,16 @@ def open_scene(
     recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak, " ".join(until.split()))
     job = prepare_reduced(recipe, form, start) if plain else None
     job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
-    if unheard:
-        notes += (
-            f"`{method}` keeps all velocities, as multipliers do: `--formulation {formulation}` is not what it steps",
-        )
-    job = replace(job, notes=(*notes, *note_negative(equations, form, start)))
+    job = replace(job, notes=(*notes, *unheard, *note_negative(equations, form, start)))
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:
         lacking = "its mass matrix is not constant"
     if natural and lacking:
         raise RunError(f"the method `{method}` does not fit this system: {lacking}", ("take dop853 or midpoint",))
     return job
+
+
+def _tell_unheard(method: str, formulation: str) -> tuple[str, ...]:
+    """A note where a method steps all velocities, and others are asked for."""
+    note = f"`{method}` keeps all velocities, as multipliers do: `--formulation {formulation}` is not what it steps"
+    return () if formulation in ("", "multipliers") else (note,)

@@ -46,15 +46,18 @@ _KINETIC = (ENERGY, multiply(raise_to(parse_unit("m"), 2), _PER_SECOND_2), _PER_
 class Quantity:
     """``dimension`` is None where it is not known; ``any`` marks the number 0, which fits everything.
 
-    ``number`` is the value of an expression of numbers.
+    ``number`` is the value of an expression of numbers.  ``unfit``: a sum whose terms do not fit, which has been said; what else is
+    added to it says nothing of the whole.
     """
 
     dimension: Dimension | None
     any: bool = False
     number: Fraction | None = None
+    unfit: bool = False
 
 
 _UNKNOWN = Quantity(None)
+_UNFIT = Quantity(None, unfit=True)
 
 
 class Checker:
@@ -86,7 +89,8 @@ class Checker:
 
     def measure(self, tree: Syntax) -> Quantity:
         """Return the quantity of an expression; what does not fit in it is reported once, where it stands."""
-        return fold_tree(tree, self._visit)
+        found = fold_tree(tree, self._visit)
+        return _UNKNOWN if found.unfit else found
 
     def _visit(self, node: Syntax, parts: tuple[Quantity, ...]) -> Quantity:
         match node:
@@ -120,9 +124,11 @@ class Checker:
         else:
             other = right.dimension if node.op == "*" else raise_to(right.dimension, -1)
             result = Quantity(multiply(left.dimension, other), left.any or (right.any and node.op == "*"))
-        return Quantity(result.dimension, result.any, combine(node.op, left.number, right.number))
+        return Quantity(result.dimension, result.any, combine(node.op, left.number, right.number), result.unfit)
 
     def _common(self, node: Binary, left: Quantity, right: Quantity) -> Quantity:
+        if left.unfit or right.unfit:
+            return _UNFIT
         if left.any or right.any:
             return left if right.any else right
         if self.loose and (left.number is None) != (right.number is None):
@@ -135,14 +141,14 @@ class Checker:
             word = "added to" if node.op == "+" else "less"
             what = f"{show(left.dimension)} {word} {show(right.dimension)}"
             if (what, node.operator) in self.told:
-                return _UNKNOWN
+                return _UNFIT
             self.told.add((what, node.operator))
             labels = (Label(node.left.span, show(left.dimension)), Label(node.right.span, show(right.dimension)))
             bare = left.number is not None or right.number is not None
             missing = _lack_beside(left.dimension, right.dimension)
             help = ("a bare number has no unit: make it a parameter with its unit" if bare else missing,)
             self.bag.error("E0413", f"units do not fit: {what}", node.operator, labels=labels, help=help)
-            return _UNKNOWN
+            return _UNFIT
         return Quantity(left.dimension)
 
     def _power(self, node: Binary, base: Quantity, exponent: Quantity) -> Quantity:
@@ -150,7 +156,7 @@ class Checker:
             self._report(node.right, exponent, "an exponent must have no unit", _RATIO)
             return _UNKNOWN
         if base.dimension is None or base.dimension == ONE:
-            return base
+            return _UNKNOWN if base.unfit else base
         if exponent.number is None:
             help = "divide the base by a parameter of its unit, or write the exponent as a number"
             self._report(node.left, base, "a quantity with a unit takes constant exponents only", help)
