@@ -45,11 +45,11 @@ def combine_by_parameters(sampler: Sampler, candidates: Sequence[Candidate], kno
     parameters = [symbol for symbol in system.p if symbol not in sampler.zeroed]
     rates = rates_of(sampler, nodes)
 
-    def sample(nodes: Sequence[Node], fixed: Mapping[Node, int]) -> list[list[int]]:
-        return sampler.residues(nodes, len(candidates) + _SPARE, prime, fixed=fixed)
+    def sample(nodes: Sequence[Node], unknowns: int, fixed: Mapping[Node, int]) -> list[list[int]]:
+        return sampler.residues(nodes, unknowns + _SPARE, prime, fixed=fixed)
 
     try:
-        rows = sample([*rates, *nodes], draw_parameters(parameters, prime, 1))
+        rows = sample([*rates, *nodes], len(nodes), draw_parameters(parameters, prime, 1))
         first = sorted(range(len(nodes)), key=lambda k: not candidates[k].kind)
         vanishing = null_space([[row[len(nodes) + k] for k in first] for row in rows], len(nodes), prime)
         dropped = {first[max(k for k, weight in enumerate(vector) if weight)] for vector in vanishing}
@@ -60,7 +60,7 @@ def combine_by_parameters(sampler: Sampler, candidates: Sequence[Candidate], kno
             return []
         used = [k for k in range(width) if any(vector[k] for vector in constant)]
         own = [rates[kept[k]] for k in used]
-        found = find_families(g, parameters, lambda fixed: sample(own, fixed), len(used), prime)
+        found = find_families(g, parameters, lambda fixed: sample(own, len(own), fixed), len(used), prime)
     except Unlucky:
         return []
     spread = []

@@ -225,9 +225,9 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
         ("quasi-velocities and their momenta", _quasi(system, p, frame)),
         ("angular momenta of rotations (L)", _angular_momenta(system, p)),
         ("angular momenta of coordinate pairs", turns),
-        ("angular momenta on the axes of angular velocities (L)", _angular_momenta(system, p, own=True)),
         ("squares of coordinates and velocities", _squares(system)),
         ("momenta and angular momenta times a parameter of the constraints", scaled),
+        ("angular momenta on the axes of angular velocities (L)", _angular_momenta(system, p, own=True)),
     ]
     kept, words = list[Candidate](), list[str]()
     for word, group in groups:
