@@ -19,7 +19,8 @@ Section = tuple[str, list[str] | str]
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
-    ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg`` or ``written_out_top``.
+    ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine`` or
+    ``written_out_top``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -381,6 +382,27 @@ def _belt_egg(_: int, __: bool) -> str:
     )
 
 
+def _submarine(_: int, __: bool) -> str:
+    """A vessel under water in velocities on its own axes, with added masses and its weight below its buoyancy."""
+    lines = {k: f"{name}: R_x{k}*x' + R_y{k}*y' + R_z{k}*z'" for k, name in enumerate("uvw", start=1)}
+    return _assemble(
+        "submarine",
+        [
+            ("coordinates", "[x, y, z]"),
+            ("rotation", "{R: {velocities: [p, q, r]}}"),
+            (
+                "parameters",
+                "{m1: 11, m2: 18, m3: 20, A: 1, B: 2, C: 2.2, b: 0.5, c: 0.4, W: 98, G: 99, h: 0.05, F: 20, d: 5}",
+            ),
+            ("quasi_velocities", list(lines.values())),
+            ("T", "(m1*u^2 + m2*v^2 + m3*w^2 + A*p^2 + B*q^2 + C*r^2)/2 + b*(u*q - v*p) + c*(v*r - w*q)"),
+            ("V", "(W - G)*z - W*h*R_z3"),
+            ("forces", ["u: F - d*u*abs(u)", "v: -d*v*abs(v)", "w: -d*w*abs(w)", "p: -d*p", "q: -d*q", "r: -d*r"]),
+            _scene("u: 1, r: 0.1"),
+        ],
+    )
+
+
 def _written_out_top(_: int, __: bool) -> str:
     """A heavy top, its T multiplied out as one finds it in books."""
     return _assemble(
@@ -417,5 +439,6 @@ _FAMILIES = {
     "bowl": _bowl,
     "arm": _arm,
     "belt_egg": _belt_egg,
+    "submarine": _submarine,
     "written_out_top": _written_out_top,
 }

@@ -20,6 +20,7 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.moving.move import move
 from nhc.mechanics.moving.moved import Moved
 from nhc.mechanics.moving.on_body import move_on_bodies
+from nhc.mechanics.moving.structure import move_by_structure
 from nhc.mechanics.regular.determined import check_determined
 from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import System
@@ -37,6 +38,8 @@ _SHORTER = 0.9
 """What rows at rest have to take of the operations of those in uniform motion."""
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
+_WORTH_BRACKETS = 120
+"""Operations from which constant brackets are looked for."""
 _WORTH_AXES = 100
 """Operations of Lagrange's equations from which moving axes are tried."""
 
@@ -176,6 +179,16 @@ def _route_at_rest(system: System, formulation: Formulation, kinetic: Kinetic) -
 
 
 def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
+    """The cheapest of those on axes, or by the brackets of the frame where these are constant."""
+    found, frame, g = _cheapest_on_axes(system, formulation, kinetic), formulation.frame, system.graph
+    if frame is None or not system.quasi or "constant brackets" in g.off or found.cost(g) < _WORTH_BRACKETS:
+        return found
+    moved = move_by_structure(system, frame)
+    other = None if moved is None else _route(moved[0], formulation, kinetic, moved[1])
+    return found if other is None or other.cost(g) >= found.cost(g) else other
+
+
+def _cheapest_on_axes(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
     """On moving axes where T has vectors for them; also on the spec's where that may be shorter and is soon tried."""
     frame = formulation.frame
     if frame is None and not system.constraints:

@@ -7,7 +7,7 @@ a reaction enters as Q_i + lambda_alpha a_alpha_i.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from functools import cached_property, partial
 
 from nhc.algebra.calculus import derivative
@@ -126,6 +126,19 @@ class Pulls:
 
 
 @record
+class Given:
+    """Forces ``on`` velocities of the spec, by name; ``without(names)`` is what Q and the torques are with some of them left out.
+
+    It belongs to one ``Q`` with its ``torques``, and says nothing of others.
+    """
+
+    Q: tuple[Node, ...]
+    torques: tuple[tuple[Node, Node, Node], ...]
+    on: dict[str, Node]
+    without: Callable[[Collection[str]], tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]]]
+
+
+@record
 class System:
     """T, U and Q over q, q', p and t, with l constraint forms (I.1.1) and the spec's quasi-velocities (I.2.1)."""
 
@@ -148,6 +161,7 @@ class System:
     """Of ``forces``, by the angular velocity of each rotation; ``Q`` holds them by coordinate."""
     pulls: Pulls | None = None
     """``Q`` in another way; None where there are rotations, or Q is not the spec's own."""
+    given: Given | None = None
 
     @property
     def n(self) -> int:

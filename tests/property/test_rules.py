@@ -39,6 +39,8 @@ WHOLE = {
     "canonical forms": "disk",
     "gathered sums": "trailers3",
     "Cramer's rule": "bicycle",
+    "orthonormal rows": "submarine",
+    "constant brackets": "submarine",
     "completed squares": "written_out_top",
     "moving axes": "trailers3",
     "body axes": "chaplygin_ball_quaternion",

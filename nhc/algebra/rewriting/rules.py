@@ -43,6 +43,11 @@ RULES = (
         "algebra/solving/blocks.py",
     ),
     Rule(
+        "orthonormal rows",
+        "three velocities on the axes of a body are solved for by the transpose of its matrix, not by its cofactors",
+        "algebra/solving/orthonormal.py",
+    ),
+    Rule(
         "completed squares",
         "an energy that was multiplied out becomes squares of velocities of points and of angular velocities again",
         "mechanics/energies/squares.py",
@@ -81,6 +86,11 @@ RULES = (
         "short rows",
         "a constraint that is long as it is written becomes a sum of velocities times their coefficients in canonical form",
         "mechanics/resolving/short_rows.py",
+    ),
+    Rule(
+        "constant brackets",
+        "of quasi-velocities whose brackets are numbers, rows are those of Poincaré and Hamel: no direction cosine is left in them",
+        "mechanics/moving/structure.py",
     ),
     Rule(
         "uniform motion",

@@ -20,10 +20,12 @@ from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
 from nhc.algebra.rewriting.shorten import canonical_form, shorten
+from nhc.algebra.solving.orthonormal import is_orthonormal, solve_transposed
 from nhc.algebra.solving.sizes import row_scale
 from nhc.algebra.walks import count, reachable
 
 _LARGEST_AT_ONCE = 3
+_IN_SPACE = 3  # rows; of two the determinant shows it
 LARGEST_CORE = 4
 """Of rows that are solved by determinants: of more, pivots may vanish where the block is regular."""
 LITTLE = Fraction(1, 10)
@@ -124,6 +126,8 @@ def solve_block(
     size = len(block)
     if "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness, 0, pivots)
+    if size == _IN_SPACE and "orthonormal rows" not in graph.off and is_orthonormal(graph, block):
+        return solve_transposed(graph, block, columns), []
     if size > _LARGEST_AT_ONCE:
         return _eliminate(graph, block, columns, weakness, LARGEST_CORE, pivots)
     return _solve_by_determinants(graph, block, columns, scale)

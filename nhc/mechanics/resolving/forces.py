@@ -2,32 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from nhc.algebra.graph import Graph, Node
 from nhc.language.spec import Definition
 from nhc.mechanics.resolving.expressions import Resolver, tangent_slopes
 from nhc.mechanics.rotations.turning import spread
-from nhc.mechanics.system import Form, Pulls
+from nhc.mechanics.system import Form, Given, Pulls
+
+Triples = tuple[tuple[Node, Node, Node], ...]
 
 
-def resolve_forces(
-    build: Resolver, quasi: Sequence[Form]
-) -> tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...], Pulls | None]:
-    """(Q_i, torques of the rotations, Q_i by positions): a force does the work of the rate of what it is given on.
+def resolve_forces(build: Resolver, quasi: Sequence[Form]) -> tuple[Given, Pulls | None]:
+    """Q_i with the torques of the rotations, and Q_i by positions: a force does the work of the rate of what it is given on.
 
     On a coordinate it is Q_i itself, on a component of an angular velocity its torque.  On another velocity w, or on a
     position whose rate is w, it is Q_i = F dw/dq_i', with the torques F dw/domega_k.
     """
     g, spec, turned = build.graph, build.spec, build.rotations
     given = {force.name: build.node(force.value) for force in spec.forces}
-    Q = [given.get(c.name, g.zero) for c in spec.coordinates]
-    torques = [given.get(name, g.zero) for rotation in spec.rotations for name in rotation.velocities]
-    known = {c.name for c in spec.coordinates} | {w for rotation in spec.rotations for w in rotation.velocities}
+    own = [given.get(c.name, g.zero) for c in spec.coordinates]
+    angular = [w for rotation in spec.rotations for w in rotation.velocities]
+    known = {*(c.name for c in spec.coordinates), *angular}
     forms = {form.name: form for form in quasi}
     pushes = [(given[name], form) for name, form in forms.items() if name in given]
-    pulls = list[tuple[Node, Node]]()
-    own, others = Q, list(pushes)
+    pulls, arms = list[tuple[Node, Node]](), dict[str, Sequence[Node]]()
+    others = list(pushes)
     for force in spec.forces:
         if force.name in known:
             continue
@@ -39,15 +39,22 @@ def resolve_forces(
                 others.append(pushes[-1])
             else:
                 pulls.append((place, given[force.name]))
-        arms = spread(g, build.v, turned, form.value) if turned and form.value is not None else None
-        if arms is not None:
-            torques = [
-                g.add(m, g.mul(given[force.name], a)) for m, a in zip(torques, arms[0][len(build.v) :], strict=True)
-            ]
+        reach = spread(g, build.v, turned, form.value) if turned and form.value is not None else None
+        if reach is not None:
+            arms[force.name] = reach[0][len(build.v) :]
+
+    def total(without: Collection[str]) -> tuple[tuple[Node, ...], Triples]:
+        torques = [given.get(name, g.zero) if name not in without else g.zero for name in angular]
+        for name, own_arms in arms.items():
+            if name not in without:
+                torques = [g.add(m, g.mul(given[name], a)) for m, a in zip(torques, own_arms, strict=True)]
+        triples = tuple((torques[k], torques[k + 1], torques[k + 2]) for k in range(0, len(torques), 3))
+        return _push(g, own, [(push, form) for push, form in pushes if form.name not in without]), triples
+
     pulls += [(q, force) for q, force in zip(build.q, own, strict=True) if force != g.zero]
-    joined = Pulls(tuple(pulls), _push(g, [g.zero] * len(Q), others)) if pulls and not turned else None
-    triples = tuple((torques[k], torques[k + 1], torques[k + 2]) for k in range(0, len(torques), 3))
-    return _push(g, own, pushes), triples, joined
+    joined = Pulls(tuple(pulls), _push(g, [g.zero] * len(own), others)) if pulls and not turned else None
+    on = {name: given[name] for name in forms if name in given}
+    return Given(*total(()), on, total), joined
 
 
 def _push(graph: Graph, Q: Sequence[Node], pushes: Sequence[tuple[Node, Form]]) -> tuple[Node, ...]:

@@ -40,7 +40,7 @@ def resolve(spec: Spec, graph: Graph | None = None, *, drawn: bool = False, abse
         )
         for entry in spec.quasi_velocities
     )
-    Q, torques, pulls = resolve_forces(build, quasi)
+    given, pulls = resolve_forces(build, quasi)
     energies = {"T": T, "U": U, "V": build.graph.neg(U), "energy": build.graph.sub(T, U)}
     visible = {**energies, **build.names}
     outputs = tuple((entry.name, build.node(entry.value, visible)) for entry in spec.outputs)
@@ -54,15 +54,16 @@ def resolve(spec: Spec, graph: Graph | None = None, *, drawn: bool = False, abse
         p=build.p,
         T=T,
         U=U,
-        Q=Q,
+        Q=given.Q,
         constraints=constraints,
         quasi=quasi,
         dependent=tuple(build.coordinate(name) for name in spec.dependent),
         outputs=outputs,
         places=_places(build),
         rotations=build.rotations,
-        torques=torques,
+        torques=given.torques,
         pulls=pulls,
+        given=given,
     )
     check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:

@@ -1,0 +1,125 @@
+"""Quasi-velocities whose brackets are constant, as those of a body on its own axes: Poincaré's and Hamel's equations as printed.
+
+With gamma^i_nu,mu (I.2.11) a number each, the rows (I.2.15) are d/dt p*_mu + gamma^i_nu,mu omega_nu p*_i - e_mu(T*) - P_mu, and no
+direction cosine is left in them: Kirchhoff's equations of a body in a fluid, those of an aircraft.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.exact.modular import are_zero
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.probe import probe_of
+from nhc.algebra.rebuilding import substitute
+from nhc.mechanics.energies.kinetic import Kinetic
+from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.moving.moved import Moved, Spread, Weights
+from nhc.mechanics.rotations.turning import moving
+from nhc.mechanics.system import System
+
+_MOST = 12  # quasi-velocities, whose brackets are some n^3/2
+_NEAR = 1e-9
+
+Brackets = dict[tuple[int, int], dict[int, Node]]
+"""By (nu, mu) the numbers gamma^i_nu,mu that are not zero, by i."""
+
+
+def move_by_structure(system: System, frame: Frame) -> tuple[System, Moved] | None:
+    """T in the frame's own forms, and the system without the forces on these, which are loads; None where T is not written in
+    them, or their brackets are not constant.
+    """
+    g, n, lower = system.graph, system.n, system.l
+    if n > _MOST or all(form.value is None for form in frame.forms[lower:]):
+        return None
+    values = [form_value(system, form) for form in frame.forms]
+    u = tuple(g.symbol(f"form_{k}", "form") for k in range(n))
+    (tau,) = substitute(g, [system.T], _meaning(g, values, u))
+    if g.depends(tau, g.mask(system.v)):
+        return None
+    brackets = _find_brackets(system, frame)
+    if brackets is None:
+        return None
+    slope = gradient(g, tau, u)
+    hessian = tuple(tuple(gradient(g, pi, u)) for pi in slope)
+    on_motion = (*(g.zero for _ in range(lower)), *frame.free)
+    momenta = substitute(g, slope, dict(zip(u, on_motion, strict=True)))
+    unit = [[g.one if i == j else g.zero for i in range(n)] for j in range(n)]
+    weights = tuple(Weights(tuple(row), ()) for row in unit)
+    bare, pushes = _split_forces(system, frame)
+    own = substitute(g, pushes, _meaning(g, values, on_motion))
+    own = substitute(g, own, moving(system, frame.kinematics))
+    loads = [g.sub(push, _swirl(g, brackets, on_motion, momenta, mu)) for mu, push in enumerate(own)]
+    return bare, Moved(
+        frame=frame,
+        velocities=frame.kinematics,
+        kinetic=Kinetic(system, tuple(values), u, tau, tuple(slope), hessian),
+        u=on_motion,
+        drift=(g.zero,) * n,
+        weights=weights[lower:],
+        weigh=lambda: weights[:lower],
+        spread=lambda: Spread(frame.omega, frame.all_kinematics, frame.omega[:lower]),
+        carried=(True,) * n,
+        inertial=(False,) * n,
+        loads=tuple(loads),
+        potential=system.U,
+        places={},
+        settled=False,
+        turning=(),
+    )
+
+
+def _meaning(graph: Graph, values: Sequence[Node], symbols: Sequence[Node]) -> dict[Node, Node]:
+    """The forms' values, less their numbers, by their symbols: of a form 2 (...) T has squares 4 (...)^2."""
+    cores = [graph.split_coefficient(value) for value in values]
+    pairs = zip(cores, symbols, strict=True)
+    return {core: graph.mul(graph.number(1 / Fraction(size)), symbol) for (size, core), symbol in pairs}
+
+
+def _split_forces(system: System, frame: Frame) -> tuple[System, list[Node]]:
+    """The system without the forces on the frame's forms, and these, each by itself: they do work along one vector only."""
+    given, zero = system.given, system.graph.zero
+    if given is None or (given.Q, given.torques) != (system.Q, system.torques):
+        return system, [zero] * system.n
+    names = [form.name for form in frame.forms]
+    Q, torques = given.without(names)
+    return replace(system, Q=Q, torques=torques, pulls=None, given=None), [given.on.get(name, zero) for name in names]
+
+
+def _swirl(graph: Graph, brackets: Brackets, omega: Sequence[Node], momenta: Sequence[Node], mu: int) -> Node:
+    """gamma^i_nu,mu omega_nu p*_i."""
+    terms = []
+    for nu, velocity in enumerate(omega):
+        for i, number in brackets.get((nu, mu), {}).items():
+            terms.append(graph.mul(number, graph.mul(velocity, momenta[i])))
+    return graph.sum(terms)
+
+
+def _find_brackets(system: System, frame: Frame) -> Brackets | None:
+    """None where one is no number, or where the time is in them."""
+    g, n = system.graph, system.n
+    probe, found, off = probe_of(g), Brackets(), list[Node]()
+    for i in range(n):
+        for mu in range(n):
+            if not _is_number(g, probe.value(frame.epsilon(i, mu)), g.zero):
+                return None
+            off.append(frame.epsilon(i, mu))
+            for nu in range(mu):
+                gamma = frame.gamma(i, nu, mu)
+                value = probe.value(gamma)
+                if not abs(value - round(value)) <= _NEAR:  # nan is none
+                    return None
+                number = g.number(round(value))
+                off.append(g.sub(gamma, number))
+                if number != g.zero:
+                    found.setdefault((nu, mu), {})[i] = number
+                    found.setdefault((mu, nu), {})[i] = g.neg(number)
+    return found if all(are_zero(g, off)) else None
+
+
+def _is_number(graph: Graph, value: float, number: Node) -> bool:
+    exact = graph.value(number)
+    return exact is not None and abs(value - float(exact)) <= _NEAR
