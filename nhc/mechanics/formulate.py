@@ -181,7 +181,7 @@ def _route_at_rest(system: System, formulation: Formulation, kinetic: Kinetic) -
 def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
     """The cheapest of those on axes, or by the brackets of the frame where these are constant."""
     found, frame, g = _cheapest_on_axes(system, formulation, kinetic), formulation.frame, system.graph
-    if frame is None or not system.quasi or "constant brackets" in g.off or found.cost(g) < _WORTH_BRACKETS:
+    if frame is None or "constant brackets" in g.off or found.cost(g) < _WORTH_BRACKETS:
         return found
     moved = move_by_structure(system, frame)
     other = None if moved is None else _route(moved[0], formulation, kinetic, moved[1])

@@ -33,7 +33,8 @@ def move_by_structure(system: System, frame: Frame) -> tuple[System, Moved] | No
     them, or their brackets are not constant.
     """
     g, n, lower = system.graph, system.n, system.l
-    if n > _MOST or all(form.value is None for form in frame.forms[lower:]):
+    free = frame.forms[lower:]
+    if n > _MOST or all(form.value is None for form in free) or any(form.line is not None for form in free):
         return None
     values = [form_value(system, form) for form in frame.forms]
     u = tuple(g.symbol(f"form_{k}", "form") for k in range(n))
