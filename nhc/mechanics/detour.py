@@ -23,6 +23,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, complete_basis, form_value, make_frame, total_derivative, velocity_symbol
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -61,7 +62,7 @@ def find_detour(equations: Equations, kept: Sequence[Form]) -> Detour | None:
     ``kept`` are the forms whose values the velocities w are.
     """
     system = equations.system
-    if system.rotations or not 1 < system.n - system.l == len(kept) <= _MOST or "detours" in system.graph.off:
+    if not 1 < system.n - system.l == len(kept) <= _MOST or "detours" in system.graph.off:
         return None
     # a constrained system has its structure already, a tree may do without
     atoms = kinetic_structure(system).atoms if system.l else velocity_forms(system)
@@ -94,7 +95,7 @@ def _by_way_of(forms: Sequence[Form], equations: Equations, kinetic: Kinetic, ke
         return None
     if not made.definite or not _is_sound(frame, made, equations):
         return None
-    by_w, by_u = dict(zip(system.v, motion.velocities, strict=True)), dict(zip(system.v, frame.kinematics, strict=True))
+    by_w, by_u = moving(system, motion.velocities), moving(system, frame.kinematics)
     values = [g.zero if form in kept else substitute(g, [form_value(system, form)], by_w)[0] for form in forms]
     still = dict.fromkeys(motion.w, g.zero)
     return Detour(
@@ -130,13 +131,17 @@ def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Ite
 
     There may be some: constraints leave fewer of these forms independent, and the first velocities or the last complete them.
     """
-    turning = [k for k in range(len(kinetic.atoms)) if not kinetic.is_exact(k)]
-    named = {form.value: form for form in kept if form.value is not None}
-    if named.keys() >= {kinetic.atoms[k] for k in turning}:
+    g, turning = system.graph, [k for k in range(len(kinetic.atoms)) if not kinetic.is_exact(k)]
+    # of an angular velocity 2 (...) T has the form without the number
+    named = {g.split_coefficient(form.value)[1]: form for form in kept if form.value is not None}
+    if named.keys() >= {g.split_coefficient(kinetic.atoms[k])[1] for k in turning}:
         return
-    own = [named.get(form.value or -1, form) for form in _own_forms(system, kinetic, turning)]
+    own = [
+        named.get(g.split_coefficient(form_value(system, form))[1], form)
+        for form in _own_forms(system, kinetic, turning)
+    ]
     rows = {form: list(form.coefficients) for form in (*system.constraints, *own)}
-    held, g = list(system.constraints), system.graph
+    held = list(system.constraints)
     size = rank(g, list(rows.values())) - system.l if system.l else len(own)
 
     def independent(forms: Sequence[Form]) -> bool:
