@@ -7,15 +7,16 @@ and w' = W^-1 (u' - W' w).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations, islice
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular
-from nhc.algebra.exact.modular import rank
+from nhc.algebra.exact.modular import are_zero, rank
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.parts import split_powers
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import find_eliminated, without_sign
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.associate import Equations
@@ -23,6 +24,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, complete_basis, form_value, make_frame, total_derivative, velocity_symbol
+from nhc.mechanics.moving.structure import drift_of
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -36,7 +38,7 @@ _TRIALS = 3
 @record
 class Detour:
     """``equations`` over the quasi-velocities u of ``frame``; ``values`` are theirs by the state's velocities w = ``back`` (u), and
-    ``drift`` is W' w for u = W w.
+    ``drift`` is W' w for u = W w, and ``swirl`` the same by u itself where this is known.
     """
 
     equations: Equations
@@ -44,15 +46,20 @@ class Detour:
     values: dict[Node, Node]
     drift: tuple[Node, ...]
     back: tuple[Node, ...]
+    swirl: tuple[Node | None, ...] = ()
 
     @property
     def graph(self) -> Graph:
         return self.frame.graph
 
     def accelerations(self, rates: Sequence[Node]) -> list[Node]:
-        """w' = W^-1 (u' - W' w) from the rates of u."""
+        """w' = W^-1 (u' - W' w) from the rates of u, by u; what both terms have in common is gone before u is put in."""
         g = self.graph
-        changed = [g.sub(rate, own) for rate, own in zip(rates, self.drift, strict=True)]
+        changed = [g.sub(rate, own) for rate, own in zip(substitute(g, rates, self.values), self.drift, strict=True)]
+        known = [k for k, swirl in enumerate(self.swirl) if swirl is not None]
+        less = [shorten(g, [g.sub(rates[k], self.swirl[k] or g.zero)])[0] for k in known]
+        for k, node in zip(known, substitute(g, less, self.values), strict=True):
+            changed[k] = node
         return tangent(g, self.back, dict(zip(self.frame.free, changed, strict=True)))
 
 
@@ -98,13 +105,20 @@ def _by_way_of(forms: Sequence[Form], equations: Equations, kinetic: Kinetic, ke
     by_w, by_u = moving(system, motion.velocities), moving(system, frame.kinematics)
     values = [g.zero if form in kept else substitute(g, [form_value(system, form)], by_w)[0] for form in forms]
     still = dict.fromkeys(motion.w, g.zero)
-    return Detour(
-        made,
-        frame,
-        {symbol: value for symbol, value, form in zip(frame.free, values, forms, strict=True) if form not in kept},
-        tuple(total_derivative(system, value, motion.velocities, still) for value in values),
-        tuple(substitute(g, [form_value(system, form) for form in kept], by_u)),
-    )
+    put_in = {symbol: value for symbol, value, form in zip(frame.free, values, forms, strict=True) if form not in kept}
+    drift = tuple(total_derivative(system, value, motion.velocities, still) for value in values)
+    back = tuple(substitute(g, [form_value(system, form) for form in kept], by_u))
+    return Detour(made, frame, put_in, drift, back, _swirl(system, frame, put_in, drift))
+
+
+def _swirl(system: System, frame: Frame, values: Mapping[Node, Node], drift: Sequence[Node]) -> tuple[Node | None, ...]:
+    """The drift by the forms themselves, where their brackets are constant and say it."""
+    g = system.graph
+    own = drift_of(frame)
+    if own is None:
+        return ()
+    same = are_zero(g, [g.sub(x, y) for x, y in zip(substitute(g, own, values), drift, strict=True)])
+    return tuple(node if equal and node != g.zero else None for node, equal in zip(own, same, strict=True))
 
 
 def _is_sound(frame: Frame, made: Equations, equations: Equations) -> bool:

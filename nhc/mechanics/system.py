@@ -127,14 +127,14 @@ class Pulls:
 
 @record
 class Given:
-    """Forces ``on`` velocities of the spec, by name; ``without(names)`` is what Q and the torques are with some of them left out.
+    """Forces ``on`` velocities of the spec; ``without(names)`` is what Q and the torques are with those on some of them left out.
 
     It belongs to one ``Q`` with its ``torques``, and says nothing of others.
     """
 
     Q: tuple[Node, ...]
     torques: tuple[tuple[Node, Node, Node], ...]
-    on: dict[str, Node]
+    on: tuple[tuple[Node, Form], ...]
     without: Callable[[Collection[str]], tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]]]
 
 

@@ -53,8 +53,7 @@ def resolve_forces(build: Resolver, quasi: Sequence[Form]) -> tuple[Given, Pulls
 
     pulls += [(q, force) for q, force in zip(build.q, own, strict=True) if force != g.zero]
     joined = Pulls(tuple(pulls), _push(g, [g.zero] * len(own), others)) if pulls and not turned else None
-    on = {name: given[name] for name in forms if name in given}
-    return Given(*total(()), on, total), joined
+    return Given(*total(()), tuple(pushes), total), joined
 
 
 def _push(graph: Graph, Q: Sequence[Node], pushes: Sequence[tuple[Node, Form]]) -> tuple[Node, ...]:

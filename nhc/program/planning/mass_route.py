@@ -141,7 +141,7 @@ def _by(detour: Detour, full: Equations, put_in: Mapping[Node, Node]) -> MassRou
     inner = mass_route(
         detour.equations, detour.equations, {}, detour.frame.forms[detour.equations.system.l :], straight=True
     )
-    values = shorten(g, detour.accelerations(substitute(g, inner.values, detour.values)))
+    values = shorten(g, detour.accelerations(inner.values))
     pivots = _in_pairs(g, _in_pairs(g, inner.pivots, detour.values), put_in)
     turned = _in_pairs(g, [pair for pair in detour.frame.guards if pair not in full.guards], put_in)
     return MassRoute(substitute(g, values, put_in), pivots, short=True, chained=inner.chained, turned=turned)
