@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
 
 import pytest
 from hypothesis import given
@@ -12,6 +13,7 @@ from hypothesis import strategies as st
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.nodes import Rational
 from nhc.algebra.rewriting.related import relate_angles
 from nhc.algebra.walks import reachable
 from tests.property.expressions import QUIET
@@ -88,6 +90,46 @@ def test_terms_that_stand_twice_in_a_sum_count_twice() -> None:
     made = relate_angles(g, roots)
     assert count_calls(g, made) == 4
     assert are_equal(g, made, roots)
+
+
+def test_multiples_of_a_sum_are_those_of_its_terms() -> None:
+    g = Graph()
+    x, y, _ = symbols(g)
+    both = g.add(x, y)
+    roots = turn(g, [both, g.mul_number(2, both), g.mul_number(3, g.sub(both, g.mul_number(2, y)))])
+    made = relate_angles(g, roots)
+    assert count_calls(g, made) == 4  # x + y, and 3 (x - y)
+    assert are_equal(g, made, roots)
+
+
+@pytest.mark.parametrize(
+    "phases",
+    [(0, Fraction(1, 2)), (0, -2, 1), (Fraction(3, 10), 1), (1, Fraction(3, 2), Fraction(-7, 3))],
+)
+def test_angles_that_differ_by_numbers_are_called_once(phases: tuple[Rational, ...]) -> None:
+    """The sines and cosines of the numbers are numbers, which a compiler knows."""
+    g = Graph()
+    x, y, _ = symbols(g)
+    turning = g.mul(x, y)
+    roots = turn(g, [g.add(turning, g.number(phase)) for phase in phases])
+    made = relate_angles(g, roots)
+    moving = [n for n in reachable(g, made) if g.op[n] in ("sin", "cos") and g.deps[n]]
+    assert len(moving) == 2
+    values = dict(zip(symbols(g), PLACE, strict=True))
+    assert evaluate(g, made, values) == pytest.approx(evaluate(g, roots, values), abs=1e-14)
+
+
+def test_of_many_angles_sums_are_taken_and_multiples_are_not() -> None:
+    """Those of an arm of many joints, by the angle of each against the one before it."""
+    g = Graph()
+    joints = [g.symbol(f"q{k}") for k in range(15)]
+    sums = [g.sum(joints[i:j]) for i in range(15) for j in range(i + 1, 16)]
+    roots = turn(g, [*sums, g.mul_number(7, joints[0])])
+    made = relate_angles(g, roots)
+    assert count_calls(g, made) <= 2 * 40 < count_calls(g, roots)
+    values = {joint: 0.3 + 0.1 * k for k, joint in enumerate(joints)}
+    assert evaluate(g, made, values) == pytest.approx(evaluate(g, roots, values), abs=1e-14)
+    assert roots[-1] in made
 
 
 def test_an_angle_that_holds_a_sine_is_left_alone() -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import ADD, Graph, Node
 from nhc.algebra.nodes import Rational
 from nhc.algebra.parts import list_terms
 from nhc.algebra.rebuilding import substitute
@@ -28,7 +28,8 @@ _BOTH = ("sin", "cos")
 _FIRST, _SECOND = 80, 50  # instructions of a call of glibc 2.36, and of the other function of the same angle
 _SUM = 3  # operations of an addition theorem, for one of the functions
 _MOST = 12  # angles; beyond them, sums of three are too many to look at
-_ALL = 64  # angles; beyond them, sums of two are
+_ALL = 256  # angles; beyond them, sums of two are
+_SEVERAL = 64  # angles; beyond them, multiples stay apart, whose rounding grows with them
 _DEEPEST = 2  # sums of sums: each adds its rounding
 
 
@@ -41,13 +42,23 @@ def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     if not 2 <= len(needed) <= _ALL:
         return list(roots)
     vectors = {node: _split(graph, node) for node in needed}
-    if _are_independent(vectors.values()):
+    if len(needed) > _SEVERAL:
+        vectors = {node: vector for node, vector in vectors.items() if all(abs(k) == 1 for _, k in vector)}
+    phases = _list_phases(graph, vectors.values())
+    if not phases and _are_independent(vectors.values()):
         return list(roots)
     known: dict[Angle, Node] = {}
     pairs: dict[Node, Pair] = {}
     depth: dict[Node, int] = {}
     new: dict[Node, Node] = {}
-    for node in sorted(needed, key=lambda node: (*_size(vectors[node]), node)):
+    for phase in phases:
+        known[_split(graph, phase)] = phase
+        pairs[phase], depth[phase], needed[phase] = (
+            (graph.function("sin", phase), graph.function("cos", phase)),
+            0,
+            {*_BOTH},
+        )
+    for node in sorted(vectors, key=lambda node: (*_size(vectors[node]), node)):
         called = graph.function("sin", node), graph.function("cos", node)
         pairs[node], depth[node] = called, 0
         terms = _find_terms(known, vectors[node])
@@ -60,6 +71,18 @@ def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
         if depth[node] < _DEEPEST:
             known.setdefault(vectors[node], node)
     return substitute(graph, roots, new) if new else list(roots)
+
+
+def _list_phases(graph: Graph, vectors: Iterable[Angle]) -> list[Node]:
+    """Numbers by which angles differ: their sines and cosines are numbers, too."""
+    groups: dict[Angle, list[Fraction]] = {}
+    for vector in vectors:
+        moving = tuple(term for term in vector if term[0] != graph.one)
+        turned = bool(moving) and moving[0][1] < 0  # 2 - x is x - 2
+        phase = Fraction(dict(vector).get(graph.one, 0))
+        groups.setdefault(_negative(moving) if turned else moving, []).append(-phase if turned else phase)
+    several = (sorted(found, key=abs) for moving, found in groups.items() if moving)
+    return [graph.number(k) for k in sorted({abs(k - found[0]) for found in several for k in found[1:]})]
 
 
 def _saves(
@@ -90,8 +113,14 @@ def _list_angles(graph: Graph, roots: Sequence[Node]) -> dict[Node, set[str]]:
 
 def _split(graph: Graph, node: Node) -> Angle:
     found: dict[Node, Rational] = {}
-    for k, core in map(graph.split_coefficient, list_terms(graph, node)):
-        found[core] = found.get(core, 0) + k  # a sum may hold a term twice, or with both signs
+    stack: list[tuple[Rational, Node]] = [(1, node)]
+    while stack:
+        size, part = stack.pop()
+        for k, core in map(graph.split_coefficient, list_terms(graph, part)):
+            if graph.op[core] == ADD:  # 2 (a + b)
+                stack.append((size * k, core))
+            else:
+                found[core] = found.get(core, 0) + size * k  # a sum may hold a term twice, or with both signs
     return _as_angle(found)
 
 
