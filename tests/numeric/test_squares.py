@@ -190,6 +190,57 @@ def test_a_chain_by_cosines_of_differences_is_the_chain_of_its_positions(count: 
     assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-11, abs=1e-11)
 
 
+def arm(count: int, *, by: str) -> str:
+    """An arm in the plane: by its points, or by a matrix as books on robots have it, each entry by masses or by cosines."""
+    joints = range(1, count + 1)
+    values = {f"{name}{k}": round(0.3 + 0.1 * k + i, 2) for k in joints for i, name in enumerate("mIls")}
+    head = (
+        f"nhc: 1\nsystem: arm\ncoordinates: [{', '.join(f'q{k}' for k in joints)}]\n"
+        f"parameters: {{{', '.join(f'{name}: {value}' for name, value in values.items())}}}\n"
+    )
+
+    def turned(i: int, j: int) -> str:
+        return "cos(" + " + ".join(f"q{k}" for k in range(i + 1, j + 1)) + ")" if i != j else "1"
+
+    def rate(i: int) -> str:
+        return "(" + " + ".join(f"q{k}'" for k in range(1, i + 1)) + ")"
+
+    if by == "points":
+        define, squares = ["  A1: q1"], []
+        for k in joints:
+            define += [f"  A{k}: A{k - 1} + q{k}"] if k > 1 else []
+            for axis, name in (("x", "cos"), ("y", "sin")):
+                links = " + ".join(f"l{i}*{name}(A{i})" for i in range(1, k))
+                define.append(f"  {axis}{k}: {links + ' + ' if links else ''}s{k}*{name}(A{k})")
+            squares.append(f"m{k}*(x{k}'^2 + y{k}'^2) + I{k}*A{k}'^2")
+        return head + "define:\n" + "\n".join(define) + f"\nT: ({' + '.join(squares)})/2\n"
+    terms = [f"I{k}/2*{rate(k)}^2" for k in joints]
+    pairs = [(k, i, j) for k in joints for i in range(1, k + 1) for j in range(i, k + 1)]
+    sizes = {
+        (k, i, j): f"{1 + (i != j)}*m{k}*{'s' if i == k else 'l'}{i}*{'s' if j == k else 'l'}{j}/2*{turned(i, j)}"
+        for k, i, j in pairs
+    }
+    if by == "cosines":
+        terms += [f"{size}*{rate(i)}*{rate(j)}" for (_, i, j), size in sizes.items()]
+    else:  # half of what is symmetric stands at each of both joints
+        entries = {
+            (a, b): [size for (_, i, j), size in sizes.items() if a <= i and b <= j] for a in joints for b in joints
+        }
+        terms += [f"({' + '.join(own)})*q{a}'*q{b}'" for (a, b), own in entries.items() if own]
+    return head + "T: " + " + ".join(terms) + "\n"
+
+
+@pytest.mark.parametrize("by", ["masses", "cosines"])
+@pytest.mark.parametrize("count", [2, 4, 6])
+def test_an_arm_by_the_angles_of_its_joints_is_the_arm_of_its_points(count: int, by: str) -> None:
+    expected, found = program_of(system_of(arm(count, by="points"))), program_of(system_of(arm(count, by=by)))
+    assert operations(found) <= 1.3 * operations(expected)
+    first, second = (python_model(render(made, "python", EmitOptions())["arm.py"], "arm") for made in (expected, found))
+    draw = random.Random(count)
+    y = [draw.uniform(0.3, 1.1) for _ in first.STATE]
+    assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-10, abs=1e-10)
+
+
 def test_a_rope_of_changing_length_is_one_point() -> None:
     """Three squares of the load, and nothing is multiplied with anything else."""
     system = system_of(multiplied_out(CRANE))

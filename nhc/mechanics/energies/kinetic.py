@@ -130,7 +130,7 @@ def energy_as_squares(system: System) -> Node:
         memo[system.T] = system.T
         may = not system.rotations and "completed squares" not in g.off
         if may and _has_products(g, system.T, degrees(g, system.v)) and _has_moving_products(system):
-            from nhc.mechanics.energies.squares import complete_squares  # here, for few specs need it
+            from nhc.mechanics.energies.absolute import complete_squares  # here, for few specs need it
 
             memo[system.T] = complete_squares(system) or system.T
     return memo[system.T]

@@ -6,7 +6,7 @@ on its own angle q_n, and P_nj = P_nn e . W_j / l, where W_j is what v_j adds to
 the end of a chain, so that the components of W_j are read off as the coefficients of those of e, and l e is integrated over q_n to
 the arm.  P loses c |V|^2, with it everything of v_n, and the next point is looked for.  A form of rank one without such an entry,
 of a moment of inertia, is its row divided by the root of its first entry; what a product of inertia stands at is the product of
-two forms that are known by then.  What comes out is held equal to T by the exact test.
+two forms that are known by then.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from functools import cached_property
 from itertools import combinations
 
 from nhc.algebra.calculus import derivative, tangent
-from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.expand import Coefficient, Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, Node
 from nhc.algebra.parts import split_parameters
@@ -30,7 +29,7 @@ from nhc.mechanics.rotations.turning import along
 from nhc.mechanics.system import System
 from nhc.records import record
 
-_TERMS = 1000
+_TERMS = 4000
 """Terms of an energy that is looked at."""
 _FORMS = 12
 """Forms up to which products of two are looked for."""
@@ -47,12 +46,11 @@ class Square:
     of: int
 
 
-def complete_squares(system: System) -> Node | None:
-    """T as a sum of squares, as far as it is one; None where that is not shorter, or T is no polynomial of degree two."""
-    try:
+def squares_of(system: System) -> Node | None:
+    """T as a sum of squares, as far as it seems one; None where that is not shorter, or T is no polynomial of degree two."""
+    with suppress(TooLarge):
         return _Energy(system).complete()
-    except TooLarge:
-        return None
+    return None
 
 
 class _Energy:
@@ -79,9 +77,7 @@ class _Energy:
             left = self._node(rest)
             parts.append(g.mul(g.product(mass), g.add(g.sum(terms), self._as_product(left, forms) or left)))
         made = g.sum(parts)
-        if count(g, [made]) >= count(g, [system.T]) or not are_equal(g, [made], [system.T]):
-            return None
-        return made
+        return made if count(g, [made]) < count(g, [system.T]) else None
 
     def _open(self) -> Node:
         """T with sines and cosines of differences of coordinates by those of the coordinates."""

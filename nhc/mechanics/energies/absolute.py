@@ -1,0 +1,72 @@
+"""Energies of arms that were multiplied out in the angles between their links, by the links' angles in space.
+
+cos(q2 + q3) of joints is cos(A3 - A1) of links with A_k = q_1 + ... + q_k: there every velocity turns one link alone, as squares
+are looked for (:mod:`nhc.mechanics.energies.squares`).  The coordinates' own symbols stand for the A_k on the way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+
+from nhc.algebra.calculus import derivative
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.graph import ADD, Graph, Node
+from nhc.algebra.polynomial import normalise
+from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import count, reachable
+from nhc.mechanics.energies.squares import squares_of
+from nhc.mechanics.system import System
+
+
+def complete_squares(system: System) -> Node | None:
+    """T as a sum of squares, the shortest one that is found, by joints or by links; what comes out is T by the exact test."""
+    g, found = system.graph, [squares_of(system)]
+    for other, back in _by_links(system):
+        made = squares_of(other)
+        found += [] if made is None else substitute(g, [made], back, named=False)
+    shorter = [made for made in found if made is not None and count(g, [made]) < count(g, [system.T])]
+    return next(
+        (made for made in sorted(shorter, key=lambda x: count(g, [x])) if are_equal(g, [made], [system.T])), None
+    )
+
+
+def _by_links(system: System) -> Iterator[tuple[System, dict[Node, Node]]]:
+    """The system with T by angles of links, and what these and their rates are by the joints'; nothing where no angles are added.
+
+    The first joint turns all of the arm: T may not show it, and then it is the coordinate before the others.
+    """
+    g, joints = system.graph, _list_joints(system)
+    for begin in dict.fromkeys((max(joints[0] - 1, 0), joints[0])) if joints else ():
+        chain = [begin, *(k for k in joints if k != begin)]
+        apart, whole = dict[Node, Node](), dict[Node, Node]()
+        for symbols in (system.q, system.v):
+            own = [symbols[k] for k in chain]
+            apart |= {x: g.sub(x, before) for before, x in pairwise(own)}
+            whole |= {x: g.sum(own[: k + 1]) for k, x in enumerate(own) if k}
+        yield replace(system, T=_put(g, system.T, apart)), whole
+
+
+def _list_joints(system: System) -> list[int]:
+    """The coordinates that are added in sines and cosines of T."""
+    g, found = system.graph, set[int]()
+    for node in reachable(g, [system.T]):
+        if g.op[node] in ("sin", "cos") and g.op[g.a[node]] == ADD:
+            slopes = {
+                k: g.value(derivative(g, g.a[node], q))
+                for k, q in enumerate(system.q)
+                if g.depends(g.a[node], g.deps[q])
+            }
+            if len(slopes) > 1 and len({*slopes.values()}) == 1:
+                found |= slopes.keys()
+    return sorted(found)
+
+
+def _put(graph: Graph, energy: Node, apart: dict[Node, Node]) -> Node:
+    """The energy with other coordinates, whose sums in sines and cosines are as short as they can be."""
+    g, new = graph, dict(apart)
+    for node in reachable(g, [energy], g.mask(tuple(apart))):
+        if g.op[node] in ("sin", "cos"):
+            new[node] = g.function(g.op[node], normalise(g, substitute(g, [g.a[node]], apart, named=False)[0]))
+    return substitute(g, [energy], new, named=False)[0]
