@@ -148,6 +148,9 @@ def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Ite
     g, turning = system.graph, [k for k in range(len(kinetic.atoms)) if not kinetic.is_exact(k)]
     # of an angular velocity 2 (...) T has the form without the number
     named = {g.split_coefficient(form.value)[1]: form for form in kept if form.value is not None}
+    whole = _all_forms(system, kinetic, kept, named)
+    if whole:
+        yield whole
     if named.keys() >= {g.split_coefficient(kinetic.atoms[k])[1] for k in turning}:
         return
     own = [
@@ -171,6 +174,26 @@ def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Ite
                 seen.add((*forms, *rest))
             if len(seen) == _TRIALS:
                 return
+
+
+def _all_forms(system: System, kinetic: Kinetic, kept: Sequence[Form], named: Mapping[Node, Form]) -> tuple[Form, ...]:
+    """All forms of T, rates of positions among them, where these are a basis and their matrix is constant: of a body whose
+    coordinates are those of another point than its centre.  Nothing else.
+    """
+    g, atoms, moves = system.graph, kinetic.atoms, ~system.graph.mask(system.p)
+    if len(atoms) != len(kept) or any(g.depends(h, moves) for row in kinetic.hessian for h in row):
+        return ()
+    places = {velocity: k for k, velocity in enumerate(system.v)}
+    own = {form.name: form for form in kept}
+    found = []
+    for k, atom in enumerate(atoms):
+        form = named.get(g.split_coefficient(atom)[1])
+        if form is None and atom in places:
+            form = own.get(system.q_names[places[atom]])
+        made = kinetic.form(k)
+        found.append(form or Form(f"own {k + 1}", made.coefficients, made.constant, made.place, value=atom))
+    rows = [list(form.coefficients) for form in (*system.constraints, *found)]
+    return tuple(found) if not set(found) <= set(kept) and rank(g, rows) == system.n else ()
 
 
 def _complete(system: System, given: Sequence[Form], kept: Sequence[Form]) -> Iterator[tuple[Form, ...]]:
