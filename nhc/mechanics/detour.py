@@ -148,10 +148,10 @@ def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Ite
     g, turning = system.graph, [k for k in range(len(kinetic.atoms)) if not kinetic.is_exact(k)]
     # of an angular velocity 2 (...) T has the form without the number
     named = {g.split_coefficient(form.value)[1]: form for form in kept if form.value is not None}
-    whole = _all_forms(system, kinetic, kept, named)
-    if whole:
-        yield whole
     if named.keys() >= {g.split_coefficient(kinetic.atoms[k])[1] for k in turning}:
+        whole = _all_forms(system, kinetic, kept, named)
+        if whole:
+            yield whole
         return
     own = [
         named.get(g.split_coefficient(form_value(system, form))[1], form)
@@ -178,7 +178,7 @@ def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Ite
 
 def _all_forms(system: System, kinetic: Kinetic, kept: Sequence[Form], named: Mapping[Node, Form]) -> tuple[Form, ...]:
     """All forms of T, rates of positions among them, where these are a basis and their matrix is constant: of a body whose
-    coordinates are those of another point than its centre.  Nothing else.
+    coordinates are those of another point than its centre; else none.
     """
     g, atoms, moves = system.graph, kinetic.atoms, ~system.graph.mask(system.p)
     if len(atoms) != len(kept) or any(g.depends(h, moves) for row in kinetic.hessian for h in row):
