@@ -125,6 +125,10 @@ class Pulls:
     """What of Q_i is not in these."""
 
 
+Torques = tuple[tuple[Node, Node, Node], ...]
+"""By the angular velocity of each rotation."""
+
+
 @record
 class Given:
     """Forces ``on`` velocities of the spec; ``without(names)`` is what Q and the torques are with those on some of them left out.
@@ -133,9 +137,9 @@ class Given:
     """
 
     Q: tuple[Node, ...]
-    torques: tuple[tuple[Node, Node, Node], ...]
+    torques: Torques
     on: tuple[tuple[Node, Form], ...]
-    without: Callable[[Collection[str]], tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]]]
+    without: Callable[[Collection[str]], tuple[tuple[Node, ...], Torques]]
 
 
 @record
@@ -157,7 +161,7 @@ class System:
     outputs: tuple[tuple[str, Node], ...]
     places: dict[str, str]
     rotations: tuple[Rotation, ...] = ()
-    torques: tuple[tuple[Node, Node, Node], ...] = ()
+    torques: Torques = ()
     """Of ``forces``, by the angular velocity of each rotation; ``Q`` holds them by coordinate."""
     pulls: Pulls | None = None
     """``Q`` in another way; None where there are rotations, or Q is not the spec's own."""

@@ -107,7 +107,11 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     wanted = max(SAFETY * tolerance, LEAST_TOLERANCE)
     task = Task(job.p, job.y, times, wanted, settings.step, settings.most, job.stops)
     adaptive = is_adaptive(method) or method in PEERS
-    follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
+
+    def begin() -> Follower:
+        return Follower(job, method, workshop.integrate, settings.method == AUTO)
+
+    follower = begin()
     before, notes = time.perf_counter() - workshop.seconds, job.notes
     if settings.step <= 0 and not adaptive:
         beside = Follower(job, REFERENCE, workshop.integrate, auto=True)
@@ -123,7 +127,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     seconds = time.perf_counter() - before - workshop.seconds
     found = _gather(workshop, legs)
     if found.ended == "failed" and found.outcome.kind == DONE:
-        found = _find_loss(found, lambda one: _go(workshop, Follower(job, method, workshop.integrate), one), task)
+        found = _find_loss(found, lambda one: _go(workshop, begin(), one), task)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)
     if task.step > 0 and job.jumping is not None:
         seen = legs

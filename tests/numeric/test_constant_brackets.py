@@ -113,7 +113,8 @@ def test_they_are_shorter_and_have_the_same_values(name: str) -> None:
 
 
 def test_of_brackets_that_move_nothing_is_made() -> None:
-    for forms in ("u: x'*(1 + y^2), w: y'", "u: x' + sin(y)*z', w: y'", "u: x'*(2 + sin(t)), w: y'"):
+    moving = ("u: x'*(1 + y^2), w: y'", "u: x' + sin(y)*z', w: y'", "u: x'*(2 + sin(t)), w: y'")
+    for forms in (*moving, "u: x'*(1 + sqrt(y - 2)), w: y'"):  # the last has no value where brackets are read
         text = f"nhc: 1\nsystem: s\ncoordinates: [x, y, z]\nT: (u^2 + w^2 + z'^2)/2\nquasi_velocities: {{{forms}, c: z'}}\n"
         system = resolve(decode(Source("s.yaml", text)))
         frame = formulate(system, "euler-lagrange").frame

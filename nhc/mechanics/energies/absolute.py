@@ -58,7 +58,7 @@ def _list_joints(system: System) -> list[int]:
                 for k, q in enumerate(system.q)
                 if g.depends(g.a[node], g.deps[q])
             }
-            if len(slopes) > 1 and len({*slopes.values()}) == 1:
+            if len(slopes) > 1 and (*slopes.values(),) in ((1,) * len(slopes), (-1,) * len(slopes)):
                 found |= slopes.keys()
     return sorted(found)
 

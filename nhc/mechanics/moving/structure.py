@@ -6,6 +6,7 @@ direction cosine is left in them: Kirchhoff's equations of a body in a fluid, th
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -168,13 +169,14 @@ def _find_brackets(system: System, frame: Frame) -> Brackets | None:
     probe, found, off = probe_of(g), Brackets(), list[Node]()
     for i in range(n):
         for mu in range(n):
-            if not _is_number(g, probe.value(frame.epsilon(i, mu)), g.zero):
+            epsilon = frame.epsilon(i, mu)
+            if not abs(probe.value(epsilon)) <= _NEAR:  # nan is none
                 return None
-            off.append(frame.epsilon(i, mu))
+            off.append(epsilon)
             for nu in range(mu):
                 gamma = frame.gamma(i, nu, mu)
                 value = probe.value(gamma)
-                if not abs(value - round(value)) <= _NEAR:  # nan is none
+                if not (math.isfinite(value) and abs(value - round(value)) <= _NEAR):
                     return None
                 number = g.number(round(value))
                 off.append(g.sub(gamma, number))
@@ -182,8 +184,3 @@ def _find_brackets(system: System, frame: Frame) -> Brackets | None:
                     found.setdefault((nu, mu), {})[i] = number
                     found.setdefault((mu, nu), {})[i] = g.neg(number)
     return found if all(are_zero(g, off)) else None
-
-
-def _is_number(graph: Graph, value: float, number: Node) -> bool:
-    exact = graph.value(number)
-    return exact is not None and abs(value - float(exact)) <= _NEAR

@@ -8,9 +8,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.language.spec import Definition
 from nhc.mechanics.resolving.expressions import Resolver, tangent_slopes
 from nhc.mechanics.rotations.turning import spread
-from nhc.mechanics.system import Form, Given, Pulls
-
-Triples = tuple[tuple[Node, Node, Node], ...]
+from nhc.mechanics.system import Form, Given, Pulls, Torques
 
 
 def resolve_forces(build: Resolver, quasi: Sequence[Form]) -> tuple[Given, Pulls | None]:
@@ -43,7 +41,7 @@ def resolve_forces(build: Resolver, quasi: Sequence[Form]) -> tuple[Given, Pulls
         if reach is not None:
             arms[force.name] = reach[0][len(build.v) :]
 
-    def total(without: Collection[str]) -> tuple[tuple[Node, ...], Triples]:
+    def total(without: Collection[str]) -> tuple[tuple[Node, ...], Torques]:
         torques = [given.get(name, g.zero) if name not in without else g.zero for name in angular]
         for name, own_arms in arms.items():
             if name not in without:
