@@ -19,8 +19,8 @@ Section = tuple[str, list[str] | str]
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
-    ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine`` or
-    ``written_out_top``.
+    ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine``,
+    ``written_out_top`` or ``written_out_arm<N>``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -420,6 +420,35 @@ def _written_out_top(_: int, __: bool) -> str:
     )
 
 
+def _written_out_arm(count: int, _: bool) -> str:
+    """Links in a plane by the angles of their joints, energies multiplied out as books on robots have them."""
+    links = range(1, count + 1)
+    rate = {k: "(" + " + ".join(f"q{i}'" for i in range(1, k + 1)) + ")" for k in links}
+    angle = {(i, k): " + ".join(f"q{j}" for j in range(i, k + 1)) for k in links for i in range(1, k + 1)}
+    kinetic, potential = list[str](), list[str]()
+    for k in links:
+        reach = {i: f"s{i}" if i == k else f"l{i}" for i in range(1, k + 1)}
+        terms = [f"{a}^2*{rate[i]}^2" for i, a in reach.items()]
+        terms += [
+            f"2*{reach[i]}*{reach[j]}*cos({angle[i + 1, j]})*{rate[i]}*{rate[j]}" for j in reach for i in range(1, j)
+        ]
+        kinetic += [f"m{k}/2*({' + '.join(terms)})", f"I{k}/2*{rate[k]}^2"]
+        potential.append(f"m{k}*g*({' + '.join(f'{a}*sin({angle[1, i]})' for i, a in reach.items())})")
+    values = ", ".join(
+        f"m{k}: {1 + k / 10}, I{k}: {0.1 + k / 100}, l{k}: {0.5 + k / 10}, s{k}: {0.2 + k / 10}" for k in links
+    )
+    return _assemble(
+        f"written_out_arm{count}",
+        [
+            ("coordinates", f"[{', '.join(f'q{k}' for k in links)}]"),
+            ("parameters", f"{{g: 9.81, {values}}}"),
+            ("T", " + ".join(kinetic)),
+            ("V", " + ".join(potential)),
+            _scene("q1: 0.3, q2: 0.5"),
+        ],
+    )
+
+
 def _bicycle(_: int, __: bool) -> str:
     given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
     text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
@@ -441,4 +470,5 @@ _FAMILIES = {
     "belt_egg": _belt_egg,
     "submarine": _submarine,
     "written_out_top": _written_out_top,
+    "written_out_arm": _written_out_arm,
 }

@@ -1,4 +1,4 @@
-"""Terms of canonical polynomials: collected, divided by a monomial, and the root of a square that is a monomial."""
+"""Terms of canonical polynomials: collected, divided by a monomial, and roots of squares that are monomials."""
 
 from __future__ import annotations
 
@@ -58,6 +58,19 @@ def root(graph: Graph, p: Polynomial) -> tuple[Fraction, Monomial] | None:
     for cosine, e in cosines.items():
         powers[cosine] = powers.get(cosine, 0) + e
     return Fraction(c), tuple(sorted(powers.items()))
+
+
+def root_of_ratio(p: Polynomial, q: Polynomial) -> tuple[Fraction, Monomial] | None:
+    """(c, m) where p = c m^2 q, for polynomials of one term each; None where they are others, or m has no whole powers."""
+    if len(p) != 1 or len(q) != 1:
+        return None
+    ((top, c),), ((bottom, d),) = p.items(), q.items()
+    powers = dict(top)
+    for f, e in bottom:
+        powers[f] = powers.get(f, 0) - e
+    if any(e % 2 for e in powers.values()):
+        return None
+    return Fraction(c) / d, tuple(sorted((f, e // 2) for f, e in powers.items() if e))
 
 
 def _by_cosine(p: Polynomial, sine: Node) -> Polynomial | None:

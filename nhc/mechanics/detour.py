@@ -73,7 +73,8 @@ def find_detour(equations: Equations, kept: Sequence[Form]) -> Detour | None:
         return None
     # a constrained system has its structure already, a tree may do without
     atoms = kinetic_structure(system).atoms if system.l else velocity_forms(system)
-    if rates_of_positions(system).issuperset(atoms):
+    basis = not system.l and len(atoms) == system.n and not set(atoms) <= {*system.v}
+    if not basis and rates_of_positions(system).issuperset(atoms):
         return None
     known: dict[tuple[Node, ...], Detour | None] = system.graph.memory.setdefault("detours", {})
     key = (system.T, system.U, *system.Q, *equations.motion.w, *equations.motion.velocities)

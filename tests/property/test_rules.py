@@ -42,6 +42,7 @@ WHOLE = {
     "orthonormal rows": "submarine",
     "constant brackets": "submarine",
     "completed squares": "written_out_top",
+    "found positions": "written_out_arm4",
     "moving axes": "trailers3",
     "body axes": "chaplygin_ball_quaternion",
     "own axes": "ball_arm3",

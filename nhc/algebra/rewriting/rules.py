@@ -53,6 +53,11 @@ RULES = (
         "mechanics/energies/squares.py",
     ),
     Rule(
+        "found positions",
+        "a velocity that was written out is the rate of the position that it integrates to, and the weight of its mass is at that",
+        "mechanics/energies/positions.py",
+    ),
+    Rule(
         "moving axes",
         "velocities in T are written on axes that turn with a body, if constraints make them short there",
         "mechanics/moving/move.py",

@@ -25,11 +25,12 @@ def complete_squares(system: System) -> Node | None:
     g, found = system.graph, [squares_of(system)]
     for other, back in _by_links(system):
         made = squares_of(other)
-        found += [] if made is None else substitute(g, [made], back, named=False)
-    shorter = [made for made in found if made is not None and count(g, [made]) < count(g, [system.T])]
-    return next(
-        (made for made in sorted(shorter, key=lambda x: count(g, [x])) if are_equal(g, [made], [system.T])), None
-    )
+        if made is not None:
+            plain, whole = substitute(g, made, back, named=False)
+            found.append((plain, whole))
+    known = [(count(g, [plain]), whole) for plain, whole in filter(None, found)]
+    shorter = sorted(pair for pair in known if pair[0] < count(g, [system.T]))
+    return next((whole for _, whole in shorter if are_equal(g, [whole], [system.T])), None)
 
 
 def _by_links(system: System) -> Iterator[tuple[System, dict[Node, Node]]]:

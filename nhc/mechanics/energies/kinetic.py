@@ -123,13 +123,13 @@ def _forms_of(system: System, energy: Node) -> list[Node]:
 
 
 def energy_as_squares(system: System) -> Node:
-    """T, or an equal sum of squares where it was multiplied out: where forms are multiplied with one another by what moves."""
+    """T, or an equal sum of squares where it was multiplied out: where it has products of forms, and factors that move."""
     g = system.graph
     memo: dict[Node, Node] = g.memory.setdefault("energy as squares", {})
     if system.T not in memo:
         memo[system.T] = system.T
         may = not system.rotations and "completed squares" not in g.off
-        if may and _has_products(g, system.T, degrees(g, system.v)) and _has_moving_products(system):
+        if may and _has_products(g, system.T, degrees(g, system.v)) and _has_moving_factors(system):
             from nhc.mechanics.energies.absolute import complete_squares  # here, for few specs need it
 
             memo[system.T] = complete_squares(system) or system.T
@@ -151,10 +151,10 @@ def _has_products(graph: Graph, root: Node, degree: Sequence[int]) -> bool:
     return False
 
 
-def _has_moving_products(system: System) -> bool:
+def _has_moving_factors(system: System) -> bool:
     g, hessian = system.graph, _structure(system, system.T).hessian
     constants = g.mask(system.p)
-    return any(g.depends(h, ~constants) for i, row in enumerate(hessian) for h in row[:i])
+    return any(g.depends(h, ~constants) for i, row in enumerate(hessian) for h in row[: i + 1])
 
 
 def list_atoms(graph: Graph, root: Node, degree: Sequence[int], strip: Callable[[Node], Node]) -> list[Node]:

@@ -14,17 +14,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from fractions import Fraction
-from functools import cached_property
 from itertools import combinations
 
 from nhc.algebra.calculus import derivative, tangent
-from nhc.algebra.expand import Coefficient, Monomial, Polynomial, TooLarge
+from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, Node
-from nhc.algebra.parts import split_parameters
 from nhc.algebra.polynomial import polynomial, to_node
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.terms import divide, put, root
+from nhc.algebra.terms import divide, put, root, root_of_ratio
 from nhc.algebra.walks import count, reachable
+from nhc.mechanics.energies.names import Names
 from nhc.mechanics.rotations.turning import along
 from nhc.mechanics.system import System
 from nhc.records import record
@@ -36,6 +35,9 @@ _FORMS = 12
 Entries = dict[tuple[int, int], Polynomial]
 """P_ij for i <= j, each off the diagonal half of what stands in T; the last index is that of what has no velocity."""
 
+Mass = tuple[Node, ...]
+"""Parameters whose product stands before entries."""
+
 
 @record
 class Square:
@@ -46,8 +48,10 @@ class Square:
     of: int
 
 
-def squares_of(system: System) -> Node | None:
-    """T as a sum of squares, as far as it seems one; None where that is not shorter, or T is no polynomial of degree two."""
+def squares_of(system: System) -> tuple[Node, Node] | None:
+    """T as a sum of squares, as far as it seems one, and the same with squares of points that masses without products are at; None
+    where the first is not shorter, or T is no polynomial of degree two.
+    """
     with suppress(TooLarge):
         return _Energy(system).complete()
     return None
@@ -62,11 +66,24 @@ class _Energy:
         self.v = [*system.v, g.one]
         self.seeds = {**along(system, system.v), system.t: g.one}
         self.parameters = g.mask(system.p)
+        self.names = Names(system)
 
-    def complete(self) -> Node | None:
+    def complete(self) -> tuple[Node, Node] | None:
         g, system = self.graph, self.system
         peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
-        named = {mass: [[self._named(f) for f in s.forms] for s in squares] for mass, (squares, _) in peeled.items()}
+        made = self._assemble(peeled)
+        if count(g, [made]) >= count(g, [system.T]):
+            return None
+        known = [square for squares, _ in peeled.values() for square in squares]
+        begun = {mass: self._begin(mass, rest, known) for mass, (_, rest) in peeled.items()}
+        if not any(begun.values()):
+            return made, made
+        whole = {mass: ([*own, *begun[mass]], {} if begun[mass] else rest) for mass, (own, rest) in peeled.items()}
+        return made, self._assemble(whole)
+
+    def _assemble(self, peeled: dict[Mass, tuple[list[Square], Entries]]) -> Node:
+        g = self.graph
+        named = {mass: [[*map(self.names.named, s.forms)] for s in squares] for mass, (squares, _) in peeled.items()}
         forms = list(dict.fromkeys(f for found in named.values() for own in found for f in own))
         parts = []
         for mass, (squares, rest) in peeled.items():
@@ -76,8 +93,7 @@ class _Energy:
             ]
             left = self._node(rest)
             parts.append(g.mul(g.product(mass), g.add(g.sum(terms), self._as_product(left, forms) or left)))
-        made = g.sum(parts)
-        return made if count(g, [made]) < count(g, [system.T]) else None
+        return g.sum(parts)
 
     def _open(self) -> Node:
         """T with sines and cosines of differences of coordinates by those of the coordinates."""
@@ -114,46 +130,7 @@ class _Energy:
                     return g.mul_number(ratio, g.mul(x, y))
         return None
 
-    def _named(self, form: Node) -> Node:
-        """The rate of a position of the spec's that the form is, up to its sign; else the form."""
-        p = polynomial(self.graph, form, _TERMS)
-        known = self._rates.get(frozenset(p.items()))
-        return self._along_chain(p) if known is None else known
-
-    def _along_chain(self, form: Polynomial) -> Node:
-        """The form as a position's rate reads: what turns with one angle together, in the order of the coordinates."""
-        g, groups = self.graph, dict[Monomial, Polynomial]()
-        fixed = g.mask((*self.system.p, *self.system.v))
-        for m, c in form.items():
-            put(
-                groups,
-                tuple(x for x in m if g.deps[x[0]] & ~fixed),
-                tuple(x for x in m if not g.deps[x[0]] & ~fixed),
-                c,
-            )
-
-        def place(unit: Monomial) -> tuple[int, Monomial]:
-            return max(
-                (i for i, q in enumerate(self.system.q) for f, _ in unit if g.deps[f] & g.deps[q]), default=-1
-            ), unit
-
-        one, terms = Fraction(1), list[Node]()
-        for unit in sorted(groups, key=place):
-            still, moving = split_parameters(g, to_node(g, groups[unit]), self.parameters)
-            terms.append(g.mul(still.node(g), g.mul(to_node(g, {unit: one}), moving)))
-        return g.sum(terms)
-
-    @cached_property
-    def _rates(self) -> dict[frozenset[tuple[Monomial, Coefficient]], Node]:
-        g, found = self.graph, dict[frozenset[tuple[Monomial, Coefficient]], Node]()
-        for rate in list(g.rate_of):
-            with suppress(TooLarge):
-                p = polynomial(g, rate, _TERMS)
-                found.setdefault(frozenset(p.items()), rate)
-                found.setdefault(frozenset((m, -c) for m, c in p.items()), rate)
-        return found
-
-    def _by_mass(self, energy: Polynomial) -> dict[tuple[Node, ...], Entries]:
+    def _by_mass(self, energy: Polynomial) -> dict[Mass, Entries]:
         """The entries that belong to each product of parameters of which T is linear."""
         exponents: dict[Node, set[int]] = {p: set() for p in self.system.p}
         for monomial in energy:
@@ -162,7 +139,7 @@ class _Energy:
                     exponents[factor].add(e)
         linear = {p for p, found in exponents.items() if found == {1}}
         place, velocities = {v: i for i, v in enumerate(self.system.v)}, self.graph.mask(self.system.v)
-        found: dict[tuple[Node, ...], Entries] = {}
+        found: dict[Mass, Entries] = {}
         for monomial, c in energy.items():
             mass = tuple(f for f, _ in monomial if f in linear)
             moved = [place[f] for f, e in monomial if f in place for _ in range(e)]
@@ -201,14 +178,33 @@ class _Energy:
                 break
         return squares, entries
 
+    def _begin(self, mass: Mass, rest: Entries, known: Sequence[Square]) -> list[Square]:
+        """A mass without products may be on the way to a point of others, the first of a chain: where it has a weight, or moves in
+        space.
+        """
+        g, places = self.graph, {i for i, _ in rest}
+        weighs = any(g.depends(self.system.U, g.deps[f]) for f in mass)
+        if not rest or any(i != j for i, j in rest) or not (weighs or any(self._moves(p) for p in rest.values())):
+            return []
+        still = {x: g.zero for i, x in enumerate(self.system.v) if i not in places}
+        for square in known:
+            forms = [form for form in substitute(g, square.forms, still) if form != g.zero]
+            whole = self._without({}, Square(Fraction(-1), tuple(forms), square.of))
+            ratios = [found for key, p in whole.items() if (found := root_of_ratio(rest.get(key, {}), p)) is not None]
+            for factor, arm in ratios[:1] if len(forms) > 1 else ():
+                length = to_node(g, {arm: Fraction(1)})
+                begun = Square(factor, tuple(g.mul(length, form) for form in forms), square.of)
+                if not self._without(rest, begun):
+                    return [begun]
+        return []
+
+    def _moves(self, p: Polynomial) -> bool:
+        return any(self.graph.deps[f] & ~self.parameters for m in p for f, _ in m)
+
     def _stays(self, entries: Entries, left: Entries) -> bool:
         """Whether no entry of the diagonal moves that did not."""
-        g = self.graph
-
-        def moves(p: Polynomial) -> bool:
-            return any(g.deps[f] & ~self.parameters for m in p for f, _ in m)
-
-        return all(moves(entries.get(key, {})) for key, p in left.items() if key[0] == key[1] and moves(p))
+        diagonal = [(entries.get(key, {}), p) for key, p in left.items() if key[0] == key[1]]
+        return all(self._moves(before) for before, p in diagonal if self._moves(p))
 
     def _without(self, entries: Entries, square: Square) -> Entries:
         g, place = self.graph, {v: i for i, v in enumerate(self.system.v)}

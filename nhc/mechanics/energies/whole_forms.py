@@ -13,6 +13,7 @@ from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import degrees
 from nhc.mechanics.energies.kinetic import Kinetic, energy_as_squares, list_atoms
+from nhc.mechanics.energies.positions import find_positions
 from nhc.mechanics.system import System
 
 
@@ -29,6 +30,7 @@ def whole_kinetic(system: System, whole: Collection[Node] = ()) -> Kinetic | Non
     if degree[energy] != 2:
         return None
     parameters = g.mask(system.p)
+    find_positions(system, list_atoms(g, energy, degree, lambda node: node))
     numbers = {rest: number for number, rest in map(g.split_coefficient, whole) if abs(number) != 1}
     kept = {*whole, *numbers}
     atoms = list_atoms(g, energy, degree, lambda node: _without_parameters(g, node, parameters, kept))

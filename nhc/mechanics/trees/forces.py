@@ -9,8 +9,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.algebra.graph import NEG, Node
+from nhc.algebra.graph import ADD, MUL, NEG, Node
 from nhc.algebra.parts import list_terms, split_parameters
+from nhc.algebra.polynomial import normalise
 from nhc.mechanics.trees.chain import Chain
 
 
@@ -32,6 +33,9 @@ def lift_forces(chain: Chain) -> Chain:
                 places.setdefault(bare, (j, sign))
         if places:
             _lift(chain, force, i, places)
+    for j, (lifted, before) in enumerate(zip(force, chain.force, strict=True)):
+        if lifted != before and g.op[g.core[lifted]] in (ADD, MUL) and not g.deps[lifted] & ~chain.parameters:
+            force[j] = normalise(g, lifted)  # (m2 + m3) g - m3 g
     return _as_offsets(replace(chain, force=tuple(force)))
 
 

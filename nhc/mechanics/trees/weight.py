@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
 
-from nhc.algebra.calculus import gradient
-from nhc.algebra.graph import NEG, Node
+from nhc.algebra.calculus import derivative, gradient
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.expand import Monomial, Polynomial, TooLarge
+from nhc.algebra.graph import ADD, NEG, SYM, Graph, Node
+from nhc.algebra.polynomial import polynomial, to_node
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.terms import add_term, divide
 from nhc.algebra.walks import reachable
 from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.rotations.turns import Vector
 from nhc.mechanics.system import System
 from nhc.mechanics.trees.points import Components
+from nhc.mechanics.trees.triples import place_of
 
+_TERMS = 200
+"""Terms of a mass's potential energy, and of positions."""
 Weighed = tuple[Node, dict[Node, Node], dict[int, Node]]
 
 
@@ -20,8 +28,8 @@ def weigh(system: System, kinetic: Kinetic, *, coordinates: bool = False) -> Wei
     """U with symbols for the positions whose rates are forms of T, these symbols' positions, and dU by these, by number of the
     form; ``coordinates``: also where the position is one of these.
     """
-    g = system.graph
-    present = set(reachable(g, [system.U]))
+    g, own = system.graph, _by_masses(system, kinetic) if coordinates or _adds_angles(system) else system.U
+    present = set(reachable(g, [own]))
     places: dict[Node, tuple[int, bool]] = {}
     for k, atom in enumerate(kinetic.atoms):
         negative = atom not in g.rate_of
@@ -31,11 +39,74 @@ def weigh(system: System, kinetic: Kinetic, *, coordinates: bool = False) -> Wei
         if place in present and (coordinates or place not in system.q):
             places[place] = k, negative
     symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
-    (potential,) = substitute(g, [system.U], symbols)
+    (potential,) = substitute(g, [own], symbols)
     meaning = {symbol: place for place, symbol in symbols.items()}
     slopes = substitute(g, gradient(g, potential, list(symbols.values())), meaning)
     found = zip(places.values(), slopes, strict=True)
     return potential, meaning, {k: g.neg(f) if negative else f for (k, negative), f in found if f != g.zero}
+
+
+def _adds_angles(system: System) -> bool:
+    """Whether U holds sines of sums: what single angles have, :mod:`nhc.mechanics.trees.forces` takes to the bodies."""
+    g = system.graph
+    return any(g.op[node] in ("sin", "cos") and g.op[g.a[node]] == ADD for node in reachable(g, [system.U]))
+
+
+def _by_masses(system: System, kinetic: Kinetic) -> Node:
+    """U with m g z for the weight of a mass whose position z it does not name, where it was written out in angles."""
+    g, U = system.graph, system.U
+    if "found positions" in g.off:
+        return U
+    moving = ~g.mask(system.p)
+    present = set(reachable(g, [U], moving))
+    found: dict[Node, list[int]] = {}
+    for k, row in enumerate(kinetic.hessian):
+        if g.op[row[k]] == SYM and row[k] in system.p and place_of(g, kinetic.atoms[k])[0] != g.zero:
+            found.setdefault(row[k], []).append(k)
+    weights = []
+    for mass, group in found.items():
+        places = [place_of(g, kinetic.atoms[k])[0] for k in group]
+        if not g.depends(U, g.deps[mass]) or any(place in present for place in places):
+            continue
+        own = derivative(g, U, mass)
+        weight = _as_weight(g, own, places, moving) if not g.depends(own, g.deps[mass]) else None
+        if weight is not None:
+            weights.append((mass, own, weight))
+    if not weights:
+        return U
+    (rest,) = substitute(g, [U], {mass: g.zero for mass, _, _ in weights})
+    made = g.sum([rest, *(g.mul(mass, weight) for mass, _, weight in weights)])
+    return made if are_equal(g, [made], [U]) else U
+
+
+def _as_weight(g: Graph, own: Node, places: Sequence[Node], moving: int) -> Node | None:
+    """``own`` as a sum of positions times constants, and a constant; None where it is none."""
+    try:
+        left, terms = polynomial(g, own, _TERMS), list[Node]()
+        for place in dict.fromkeys(places):
+            pull = _pull(g, left, polynomial(g, place, _TERMS), moving)
+            if pull is not None:
+                terms.append(g.mul(pull, place))
+                for m, c in polynomial(g, terms[-1], _TERMS).items():
+                    add_term(left, m, -c)
+    except TooLarge:
+        return None
+    if not terms or any(g.deps[f] & moving for m in left for f, _ in m):
+        return None
+    return g.add(g.sum(terms), to_node(g, left))
+
+
+def _pull(g: Graph, potential: Polynomial, place: Polynomial, moving: int) -> Node | None:
+    """What the potential has before a position, by the first term of the position that moves; None where it has nothing."""
+
+    def part(m: Monomial, *, moves: bool) -> Monomial:
+        return tuple(x for x in m if bool(g.deps[x[0]] & moving) == moves)
+
+    first = next((m for m in place if part(m, moves=True)), ())
+    own = part(first, moves=True)
+    held = {part(m, moves=False): c for m, c in potential.items() if own and part(m, moves=True) == own}
+    factor = divide(held, Fraction(place[first]), part(first, moves=False)) if held else None
+    return to_node(g, factor) if factor else None
 
 
 def field_of(
