@@ -132,7 +132,8 @@ def _check_target(output: str | None, force: bool) -> Path | None:
 
 
 def _deliver(found: Laboratory, question: Question, target: Path | None, as_json: bool) -> None:
-    from nhc.study.stability.table import lines, tree
+    from nhc.study.stability.table import lines
+    from nhc.study.stability.tree import tree
 
     for note in found.bench.notes:
         say(f"note: {note}")

@@ -47,6 +47,8 @@ parameters: {m: 1}
 T: m/2*(x'^2 + y'^2 + z'^2)
 constraints: [{one: "z' = y*x'"}]
 """
+KEPLER = "coordinates: [x, y]\nparameters: {mu: 1}\nT: (x'^2 + y'^2)/2\nU: mu/sqrt(x^2 + y^2)\n"
+POLAR = "coordinates: {r: {}, f: {}}\nparameters: {mu: 1}\nT: (r'^2 + r^2*f'^2)/2\nU: mu/r\n"
 PENDULUM = """
 coordinates: [theta]
 parameters: {m: 2, l: 0.5, g: 9.81}
@@ -117,6 +119,8 @@ SAME = [
     (SPHERE, changed(SPHERE, ("V: k*z", "V: k*z*(x^2 + y^2 + z^2)")), ()),
     (SPHERE, changed(SPHERE, ("x^2 + y^2 + z^2 = 1", "1 = z^2 + y^2 + x^2")), ()),
     ("coordinates: [x]\nT: x'^2/2\nV: abs(x)\n", "coordinates: [x]\nT: x'^2/2\nV: sqrt(x^2)\n", ()),
+    # a root is the radius where that has no other sign
+    (KEPLER, POLAR.replace("{}", "{range: [0, 9]}"), ("x=r*cos(f), y=r*sin(f)",)),
     ("coordinates: [x]\nT: x'^2/2\nV: max(x, 0)\n", "coordinates: [x]\nT: x'^2/2\nV: (x + abs(x))/2\n", ()),
 ]
 
@@ -332,6 +336,19 @@ def test_many_signs() -> None:
     assert compare(first, same).agrees
     assert not compare(first, changed(same, ("x^2 - y^2", "y^2 - x^2"))).agrees
     assert not compare(first, changed(same, ("abs(x*y)", "x*abs(y)"))).agrees
+
+
+def test_a_radius_that_may_be_negative_is_told_with_the_state() -> None:
+    maps = ("x=r*cos(f), y=r*sin(f)",)
+    made = compare(KEPLER, POLAR, *maps)
+    assert not made.agrees and made.measured.worst is not None and dict(made.measured.worst.values)["r"] < 0
+    assert any("a root is |r| here" in note for note in made.notes)
+    within = compare(KEPLER, POLAR.replace("{}", "{range: [0, 9]}", 1), *maps)
+    assert within.agrees and within.is_sure and any("in the range of `r`" in note for note in within.notes)
+    below = compare(KEPLER, POLAR.replace("{}", "{range: [-9, 0]}", 1), *maps)
+    assert not below.agrees and not below.is_open
+    other = compare(KEPLER, POLAR.replace("{}", "{range: [0, 9]}", 1).replace("mu/r", "mu/r + r"), *maps)
+    assert not other.agrees and not any("|r|" in note for note in other.notes)
 
 
 def test_another_rotation_of_the_same_kind() -> None:

@@ -23,7 +23,8 @@ from nhc.study.stability.drift import Drift, long_run
 from nhc.study.stability.laboratory import Laboratory, Question
 from nhc.study.stability.laws import find_law
 from nhc.study.stability.stepsize import amplification, predict
-from nhc.study.stability.table import judge, lines, tree
+from nhc.study.stability.table import judge, lines
+from nhc.study.stability.tree import tree
 from nhc.study.stability.work import FEWER, NODES, WEIGHTS, estimate
 from tests.numeric.test_stiffness import SYRUP
 from tests.numeric.test_switching import SKATER, forced

@@ -48,7 +48,12 @@ def laws_of(system: System) -> Laws:
 
 def carry_laws(laws: Laws, source: Graph, target: Graph, meaning: Mapping[Node, Node]) -> Laws:
     """The same equations on another graph."""
-    made = iter(carry(source, target, laws.nodes(), meaning))
+    return with_nodes(laws, carry(source, target, laws.nodes(), meaning))
+
+
+def with_nodes(laws: Laws, nodes: Sequence[Node]) -> Laws:
+    """The same equations with other nodes in the place of theirs."""
+    made = iter(nodes)
     rows = tuple(tuple(next(made) for _ in row) for row in laws.rows)
     matrix = tuple(tuple(next(made) for _ in row) for row in laws.matrix)
     right = tuple(next(made) for _ in laws.right)

@@ -23,8 +23,19 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.certificates.certificate import POINTS, count_points
 from nhc.mechanics.formulate import rate_symbols
 from nhc.mechanics.frame import total_derivative
-from nhc.mechanics.pairs.laws import Row, carry_laws, is_solvable, laws_of, products, refuse_closed, solution, values_of
+from nhc.mechanics.pairs.laws import (
+    Row,
+    carry_laws,
+    is_solvable,
+    laws_of,
+    products,
+    refuse_closed,
+    solution,
+    values_of,
+    with_nodes,
+)
 from nhc.mechanics.pairs.pairing import Pairing
+from nhc.mechanics.pairs.roots import open_roots
 from nhc.mechanics.properties.leaf import leaf_of
 from nhc.records import record
 
@@ -62,7 +73,10 @@ class Found:
 
 
 class PairPoints:
-    """Both systems on the second's graph, and the drawing of points."""
+    """Both systems on the second's graph, and the drawing of points.
+
+    ``ranged`` are coordinates whose ranges tell the signs of roots, ``unsigned`` those of which a root is |r| for want of a range.
+    """
 
     def __init__(self, pairing: Pairing) -> None:
         self.pairing = pairing
@@ -83,7 +97,9 @@ class PairPoints:
         meaning.update((first.v[i], node) for i, node in zip(self.common, self.motion, strict=True))
         meaning.update((first.q[i], g.symbol(first.q_names[i], "coordinate")) for i in extra)
         meaning.update((first.v[i], v) for i, v in zip(extra, self.own, strict=True))
-        self.laws = carry_laws(laws_of(first), first.graph, g, meaning), laws_of(second)
+        carried = carry_laws(laws_of(first), first.graph, g, meaning)
+        opened, self.ranged, self.unsigned = open_roots(second, carried.nodes())
+        self.laws = with_nodes(carried, opened), laws_of(second)
         refuse_closed(pairing, self.laws[0])
         self.told = self._told()
         self.leaf = leaf_of(second, self._all_nodes())

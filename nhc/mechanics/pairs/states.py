@@ -133,7 +133,8 @@ def _compare(
     found = [y[i] for i in points.common], [float(a) for a in turned]
     if not all(map(math.isfinite, (*found[0], *found[1]))):
         return None
-    alone = [node for j in pairing.alone[1] for node in (second.q[j], second.v[j])]
+    same = {pairing.place_of(i) for i in points.common} - set(pairing.alone[1])
+    alone = [node for j in range(second.n) if j not in same for node in (second.q[j], second.v[j])]
     shown = _named(pairing.first, other) + _named(second, {node: values[node] for node in alone})
     return *found, shown
 

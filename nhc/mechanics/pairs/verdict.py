@@ -112,7 +112,7 @@ def compare_systems(first: System, second: System, maps: Sequence[str], names: t
         bare = PairPoints(replace(pairing, first=_undriven(pairing.first), second=_undriven(pairing.second))).look()
     open_leaf = bool(found.off) and found.places[0] < found.places[1]
     on_leaf = points.on_leaf and not open_leaf
-    notes = (*_other_values(pairing, names), *_other_units(pairing, names))
+    notes = (*_told_by_ranges(points, names, found), *_other_values(pairing, names), *_other_units(pairing, names))
     return Comparison(names, pairing, found, bare, on_leaf, fitting, measured, _suspects(points), notes)
 
 
@@ -142,6 +142,19 @@ def _suspects(points: PairPoints) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 def _holds(points: PairPoints, nodes: Sequence[Node], symbol: Node) -> bool:
     return any(points.graph.depends(node, points.graph.deps[symbol]) for node in nodes)
+
+
+def _told_by_ranges(points: PairPoints, names: tuple[str, str], found: Found) -> list[str]:
+    """Coordinates in whose ranges alone roots are what they were taken for, or would be."""
+    notes = []
+    if points.ranged:
+        known = ", ".join(f"`{name}`" for name in points.ranged)
+        notes.append(f"signs of roots are those in the range of {known} in {names[1]}")
+    for name in points.unsigned if not found.agrees else ():
+        notes.append(
+            f"a root is |{name}| here: give `{name}` a range in {names[1]}, as `range: [0, 1e3]`, if it is never negative"
+        )
+    return notes
 
 
 # --- what else differs --------------------------------------------------------------------------------------

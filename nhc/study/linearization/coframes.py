@@ -27,8 +27,12 @@ def elsewhere(
     start: Start,
     study: Callable[[System, Formulation], Found],
     where: Callable[[Found], tuple[SteadyModel, Steady]],
+    keeps: Callable[[Found], bool],
 ) -> Found:
     """What other coframes find where one did not: where it is singular, and where it may not have all angular velocities.
+
+    A motion that turns is not steady in quasi-velocities such as x', but may be by multipliers, in axes that turn with it: that is
+    taken where it ``keeps`` the velocities that were asked for.
 
     Raises:
         NotSteady: the error itself, where they find nothing either.
@@ -38,6 +42,11 @@ def elsewhere(
     if system.rotations and error.place:
         with suppress(NotSteady):
             return nearest_of(system, start, study, where, whole=False)
+    if system.l and error.place and any(start.v):
+        with suppress(NotSteady):
+            made = study(system, build(system, "multipliers"))
+            if keeps(made):
+                return made
     raise error
 
 

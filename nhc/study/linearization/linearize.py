@@ -275,7 +275,7 @@ def modes(made: Linearisation) -> list[Mode]:
     """The eigenvalues without the structural zeros, by falling real part; critical zeros come as zeros."""
     found = [Mode(0j, 0.0)] * (made.zeros - made.family)
     if len(made.core):
-        values, limits = _spectrum(made.core)
+        values, limits = _spectrum(made.core, len(made.full))
         found += [
             Mode(_clear(x, limit) / made.tick, limit / made.tick) for x, limit in zip(values, limits, strict=True)
         ]
@@ -292,22 +292,23 @@ def _clear(value: complex, limit: float) -> complex:
     return complex(value.real, 0.0 if abs(value.imag) <= limit else value.imag)
 
 
-def _spectrum(core: Matrix) -> tuple[NDArray[np.complex128], Vector]:
-    """Eigenvalues with the size of their error: that of the matrix times the eigenvalue's condition, which is 1 over the cosine
-    between its left and right vectors; where several meet, the root of it (Wilkinson 1965, ch. 2).
+def _spectrum(core: Matrix, whole: int) -> tuple[NDArray[np.complex128], Vector]:
+    """Eigenvalues with the size of their error: that of the matrix, which comes from one of ``whole`` rows, times the eigenvalue's
+    condition, which is 1 over the cosine between its left and right vectors; where several meet, the root of it (Wilkinson 1965,
+    ch. 2; L. Elsner, Linear Algebra Appl. 71 (1985) 77).
     """
     scale = balance(core)
     core = core * scale / scale[:, None]
     values, right = np.linalg.eig(core)
     size = float(np.linalg.norm(core, 2))
-    error = ROUNDING * len(core) * size
+    error = ROUNDING * max(len(core), whole) * size
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # vectors that are the same have an infinite condition
             condition = np.linalg.norm(np.linalg.inv(right), axis=1) * np.linalg.norm(right, axis=0)
     except np.linalg.LinAlgError:
         condition = np.full(len(core), np.inf)
     condition = np.where(np.isfinite(condition), condition, np.inf)
-    several = np.where(condition < 1e9, (error / size) ** 0.5, (error / size) ** (1 / 3)) * size if size else 0.0
+    several = np.where(condition < 1e9, (2 * size * error) ** (1 / 2), (4 * size**2 * error) ** (1 / 3))
     errors = np.minimum(condition * error, several) if size else np.zeros(len(core))
     return np.asarray(values, dtype=np.complex128), np.asarray(errors, dtype=np.float64)
 

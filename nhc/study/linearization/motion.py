@@ -185,6 +185,7 @@ def linearise_whole(equations: Equations, formulation: Formulation, request: Req
             start,
             lambda own, other: linearise(equations_of(own, other), other, request, start),
             found_at,
+            lambda made: not made.lost,
         )
 
 

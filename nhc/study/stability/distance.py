@@ -117,8 +117,10 @@ def _ratio(value: int, scale: int, table: Matrix) -> Sequence[float]:
 
 
 def _choice(bench: Bench) -> Sequence[int]:
+    """The velocities that the formulation solves the constraints for; where it solves for none, those that one would."""
+    used = bench.formulation.dependent
     try:
-        return dependent_of(bench.equations.system).dependent
+        return used.dependent if used is not None else dependent_of(bench.equations.system).dependent
     except NotApplicable:
         return ()
 

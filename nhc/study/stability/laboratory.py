@@ -24,6 +24,7 @@ from nhc.study.stability.stepsize import Spectrum, StepLimit, spectrum, step_lim
 Found = TypeVar("Found")
 Show = Callable[[float, str], None]
 _PLACES = 6
+_STEADY = "steady motion"
 STIFF = 1e3
 """Stiffness ratio from which an implicit method is advised."""
 
@@ -115,7 +116,7 @@ def examine(equations: Equations, formulation: Formulation, question: Question, 
     show(0.05, "compiling")
     bench = open_bench(equations, formulation, start_of(system, scene), question.compiled)
     show(0.25, "steady motion")
-    motion = attempt("steady motion", lambda: _motion(bench, question))
+    motion = attempt(_STEADY, lambda: _motion(bench, question))
     if attempt("scene", lambda: bench.table) is None:
         return Laboratory(bench, motion, None, (), (), None, (), tuple(missing), missing[-1][1], conduct(bench))
     show(0.5, "eigenvalues along the scene")
@@ -161,7 +162,11 @@ def examine_whole(
     if whole.failed:
         return found
     note = f"studied with {other.name}: {found.failed}"
-    return replace(whole, bench=replace(whole.bench, notes=(*whole.bench.notes, note)), conduct=found.conduct)
+    whole = replace(whole, bench=replace(whole.bench, notes=(*whole.bench.notes, note)), conduct=found.conduct)
+    if found.motion is None or (whole.motion is not None and len(whole.motion.lost) < len(found.motion.lost)):
+        return whole
+    # the equations that the scene leads to have the velocities in which its steady motion is one
+    return replace(whole, motion=found.motion, missing=tuple(x for x in whole.missing if x[0] != _STEADY))
 
 
 def _motion(bench: Bench, question: Question) -> Motion:

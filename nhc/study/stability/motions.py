@@ -23,7 +23,7 @@ from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.study.linearization.absent import BEST, Left, Worth, ask_without_zeros, leave_zeros_out
-from nhc.study.linearization.asked import find_asked, keep_ranges, list_lost
+from nhc.study.linearization.asked import find_asked, has_halted, keep_ranges, list_lost
 from nhc.study.linearization.coframes import elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, Steady, check_smooth
@@ -42,7 +42,8 @@ class Motion:
 
     ``regularity`` in [0, 1]: of the mass matrix there, and of what inertia is left; below ``SINGULAR`` the coordinates
     themselves fail (gimbal lock) and the eigenvalues say nothing of the motion.  ``absent``: parameters that are 0 and were left
-    out of the equations.
+    out of the equations.  ``lost``: what has become of each velocity that was asked for and has gone; ``halted``: with most
+    of the motion.
     """
 
     formulation: Formulation
@@ -53,6 +54,8 @@ class Motion:
     regularity: float
     along: str = ""
     absent: tuple[str, ...] = ()
+    lost: tuple[str, ...] = ()
+    halted: bool = False
 
     @property
     def flow(self) -> Flow:
@@ -87,14 +90,14 @@ def steady_motion(
         found = _anywhere(equations, formulation, search, scene, start, beside)
     except NotSteady as error:
         found = error
-    worth = None if isinstance(found, NotSteady) else _weigh(found, scene, start)
+    worth = None if isinstance(found, NotSteady) else _weigh(found)
     if worth != BEST:
         other = ask_without_zeros(
             leave_zeros_out(system, start, search.sweep[0] if search.sweep else "", formulation.name),
             lambda left: _anywhere(
                 left.equations, left.formulation, _carried(search, system, left), scene, start, beside
             ),
-            lambda other: _weigh(other, scene, start),
+            _weigh,
             worth,
             None if isinstance(found, NotSteady) else found.model,
         )
@@ -113,10 +116,9 @@ def _carried(search: Search, system: System, left: Left) -> Search:
     return replace(search, hidden=tuple(zip((name for name, _ in search.hidden), nodes, strict=True)))
 
 
-def _weigh(found: Motion, scene: Scene, start: Start) -> Worth:
+def _weigh(found: Motion) -> Worth:
     """How many of the velocities that the scene gives have gone, and how many zeros are none of a family."""
-    guess = state_of(found.flow, found.model.frame, start)
-    return len(list_lost(found.model, scene, guess, found.linearisation.steady.y)), count_zeros(found.linearisation)
+    return len(found.lost), count_zeros(found.linearisation)
 
 
 def _anywhere(
@@ -139,7 +141,14 @@ def _anywhere(
         def study(own: System, other: Formulation) -> Motion:
             return _motion(equations_of(own, other), other, search, scene, start, beside)
 
-        return elsewhere(system, error, start, study, lambda made: (made.model, made.linearisation.steady))
+        return elsewhere(
+            system,
+            error,
+            start,
+            study,
+            lambda made: (made.model, made.linearisation.steady),
+            lambda made: not made.lost,
+        )
 
 
 def _motion(
@@ -162,7 +171,9 @@ def _motion(
     if search.sweep is not None:
         name = _spelled(model.flow, search.sweep[0])
         swept = sweep_along(model, scene, guess, steady.y, holds, (name, *search.sweep[1:]))
-    return Motion(better, model, made, swept, place, regularity, name)
+    lost = list_lost(model, scene, guess, steady.y)
+    halted = bool(lost) and has_halted(model, guess, steady.y)
+    return Motion(better, model, made, swept, place, regularity, name, lost=lost, halted=halted)
 
 
 def _spelled(flow: Flow, name: str) -> str:

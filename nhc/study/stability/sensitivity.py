@@ -21,7 +21,12 @@ from nhc.study.stability.bench import Bench
 from nhc.study.stability.laws import Law, find_law
 
 _SEGMENTS = 40
+_TOLERANCE = 1e-13
 _NUDGE = 3e-6  # of a component's size: central differences of a run at 1e-13 are good to about 1e-7
+_FINE = 1e-4  # of a difference: errors up to which its nudge is not changed
+_ROUNDING = 10.0 * _TOLERANCE  # of the state
+_TRIALS = 5
+_LOST = 0.1  # of a difference: beyond the scene nothing is followed further then
 _INSIDE = 200  # ends of steps that are looked at in each segment
 _LONGEST = 10  # lengths of the scene that a law is looked for in
 _EFFORT, _EFFORT_INTERPRETED = 1e7, 1e5  # of this look: steps times the square of the state's size
@@ -54,18 +59,18 @@ def sensitivity(bench: Bench, lengths: float = _LONGEST) -> Sensitivity:
     picked = [round(k * (len(bench.times) - 1) / _SEGMENTS) for k in range(_SEGMENTS + 1)]
     basis = admissible(bench)
     scale, product = bench.sizes, basis
-    times, norms = [bench.times[0]], [1.0]
+    times, norms, flow = [bench.times[0]], [1.0], _Flow(bench)
     largest = (1.0, times[0])
     for first, last in pairwise(picked):
         looks = _looks(bench, bench.times[first], bench.times[last])
-        products = _segment(bench, looks, bench.reference[first]) @ product
+        products = flow.segment(looks, bench.reference[first]) @ product
         found = _norms(products, basis, scale)
         largest = max(largest, *zip(found, looks[1:], strict=True), key=itemgetter(0))
         product = products[-1]
         times.append(bench.times[last])
         norms.append(found[-1])
     plain = float(np.linalg.norm(product, 2)) if product.size else 0.0
-    later = _later(bench, min(lengths, _LONGEST), product, basis)
+    later = _later(flow, min(lengths, _LONGEST), product, basis)
     whole = [*times, *(t for t, _ in later)]
     law = find_law(whole, [*norms, *(norm for _, norm in later)], bench.duration)
     return Sensitivity(tuple(times), tuple(norms), plain, *largest, law)
@@ -77,8 +82,9 @@ def _looks(bench: Bench, start: float, stop: float) -> list[float]:
     return [start, *inside[:: 1 + len(inside) // _INSIDE], stop]
 
 
-def _later(bench: Bench, lengths: float, product: Matrix, basis: Matrix) -> list[tuple[float, float]]:
+def _later(flow: _Flow, lengths: float, product: Matrix, basis: Matrix) -> list[tuple[float, float]]:
     """(time, norm) beyond the scene, for as long as the motion goes on and it is cheap."""
+    bench = flow.bench
     most = _EFFORT if bench.model.compiled else _EFFORT_INTERPRETED
     lengths = min(lengths, most / (2.0 * len(bench.ends) * len(bench.job.y) ** 2))
     count = int((lengths - 1.0) * _SEGMENTS)
@@ -90,11 +96,11 @@ def _later(bench: Bench, lengths: float, product: Matrix, basis: Matrix) -> list
     found = []
     for k, (start, stop) in enumerate(pairwise(times[: len(states)])):
         try:
-            product = _segment(bench, (start, stop), np.array(states[k]))[-1] @ product
+            product = flow.segment((start, stop), np.array(states[k]))[-1] @ product
         except ArithmeticError:
             break
         (norm,) = _norms(product[None], basis, bench.sizes)
-        if not norm < _HUGE:
+        if not norm < _HUGE or flow.noise > _LOST:
             break
         found.append((stop, norm))
     return found
@@ -129,18 +135,56 @@ def admissible(bench: Bench) -> Matrix:
     return np.asarray(right[rank:].T)
 
 
-def _segment(bench: Bench, times: Sequence[float], start: Matrix) -> Matrix:
-    """d y(t) / d y(t_first) of the motion through ``start``, of shape (later times, NY, NY)."""
-    size = len(start)
-    found = np.empty((len(times) - 1, size, size))
-    for i in range(size):
-        nudge = np.zeros(size)
-        nudge[i] = _NUDGE * bench.sizes[i]
-        reached = []
-        for sign in (1.0, -1.0):
-            outcome = bench.integrate("dop853", times, (start + sign * nudge).tolist(), tolerance=1e-13)
-            if outcome.kind != DONE:
-                raise ArithmeticError(f"a run beside the scene fails at t = {outcome.t:.9g}: {bench.reason(outcome)}")
-            reached.append(np.array(outcome.states[1:]))
-        found[:, :, i] = (reached[0] - reached[1]) / (2 * nudge[i])
-    return found
+class _Flow:
+    """The flow's derivative by the state, from central differences.
+
+    A nudge is small where the motion bends within it, as beside a separatrix, and large where the state has outgrown its sizes in
+    the scene and would drown it in rounding; it stays from one segment to the next.
+    """
+
+    def __init__(self, bench: Bench) -> None:
+        self.bench = bench
+        self.nudges = _NUDGE * bench.sizes
+        self.noise = 0.0
+
+    def segment(self, times: Sequence[float], start: Matrix) -> Matrix:
+        """d y(t) / d y(t_first) of the motion through ``start``, of shape (later times, NY, NY); ``noise`` is what rounding has in
+        the worst column at the end, relative to it.
+
+        Raises:
+            ArithmeticError: a run fails.
+        """
+        size, middle = len(start), self._run(times, start)
+        found = np.empty((len(times) - 1, size, size))
+        self.noise = 0.0
+        for i in range(size):
+            found[:, :, i], noise = self._column(times, start, middle, i)
+            self.noise = max(self.noise, noise)
+        return found
+
+    def _column(self, times: Sequence[float], start: Matrix, middle: Matrix, i: int) -> tuple[Matrix, float]:
+        nudge, tried = np.zeros(len(start)), dict[float, tuple[Matrix, float, float]]()
+        for _ in range(_TRIALS):
+            h = nudge[i] = self.nudges[i]
+            above, below = (self._run(times, start + sign * nudge) for sign in (1.0, -1.0))
+            sizes, change = self.bench.sizes, above - below
+            moved, bent, most = (
+                float(np.max(np.abs(x[-1]) / sizes)) for x in (change, above + below - 2.0 * middle, middle)
+            )
+            bend, noise = ((bent / moved) ** 2, _ROUNDING * most / moved) if moved else (0.0, 0.0)
+            tried[h] = change / (2.0 * h), bend, noise
+            other = h / 10.0 if bend > noise else h * 10.0
+            if max(bend, noise) <= _FINE or other in tried:
+                break
+            self.nudges[i] = other
+        best = min(tried, key=lambda h: max(tried[h][1], tried[h][2]))
+        self.nudges[i] = best
+        derivative, _, noise = tried[best]
+        return derivative, noise
+
+    def _run(self, times: Sequence[float], start: Matrix) -> Matrix:
+        """The states at the later times."""
+        outcome = self.bench.integrate("dop853", times, start.tolist(), tolerance=_TOLERANCE)
+        if outcome.kind != DONE:
+            raise ArithmeticError(f"a run beside the scene fails at t = {outcome.t:.9g}: {self.bench.reason(outcome)}")
+        return np.array(outcome.states[1:])

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from nhc.records import record
 from nhc.study.linearization.field import SINGULAR
-from nhc.study.linearization.linearize import Mode, eigenvalues, modes, verdict
+from nhc.study.linearization.linearize import Mode, modes, verdict
 from nhc.study.linearization.sweep import Sweep
 from nhc.study.stability.distance import NEAR, SINGULAR_THERE, judge_distance
-from nhc.study.stability.drift import Drift, LongRun
+from nhc.study.stability.drift import Drift
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.motions import Motion
-from nhc.study.stability.sensitivity import Sensitivity
 
 
 @record
@@ -99,6 +97,9 @@ def _motion(found: Motion, unit: str) -> list[Row]:
     eigenvalue = f"eigenvalue [1/{unit}]" if unit else "eigenvalue"
     rows += [Row(eigenvalue, _complex(mode), _kind(mode, unit)) for mode in modes(made) if mode.value.imag >= 0]
     rows.append(Row("found from", found.place))
+    if found.lost:
+        what = "not the motion of the scene" if found.halted else "taken for a disturbance"
+        rows.append(Row("velocities lost", "; ".join(found.lost), f"{what}; `--hold` keeps such a velocity"))
     if found.absent:
         rows.append(Row("left out", ", ".join(found.absent), "parameters that are 0: more is steady without them"))
     if found.regularity <= SINGULAR:
@@ -251,100 +252,3 @@ def _distances(lab: Laboratory) -> list[Row]:
         )
         for d in lab.distances
     ]
-
-
-def tree(lab: Laboratory) -> dict[str, Any]:
-    """All numbers; infinite ones are null."""
-    bench = lab.bench
-    return {
-        "system": bench.equations.system.name,
-        "scene": bench.job.scene.name,
-        "formulation": bench.formulation.name,
-        "compiled": bench.model.compiled,
-        "time": list(bench.job.time),
-        "changes": list(lab.changes),
-        "steady": _motion_tree(lab.motion) if lab.motion else None,
-        "spectrum": _spectrum_tree(lab),
-        "steps": [
-            {
-                "method": x.method,
-                "order": x.order,
-                "measured": _finite(x.measured),
-                "predicted": _finite(x.predicted),
-                "why": x.why,
-            }
-            for x in lab.limits
-        ],
-        "drift": [_drift_tree(run) for run in lab.runs],
-        "sensitivity": _growth_tree(lab.sensitivity),
-        "distances": [{"what": d.what, "kind": d.kind, "least": d.least, "t": d.t} for d in lab.distances],
-        "conduct": list(lab.conduct),
-        "missing": [{"study": name, "why": why} for name, why in lab.missing],
-    }
-
-
-def _spectrum_tree(lab: Laboratory) -> dict[str, float | None] | None:
-    found = lab.spectrum
-    if found is None:
-        return None
-    sizes = {"decay": found.decay, "slowest": found.slowest, "stiffness": lab.stiffness}
-    return {"fastest": found.fastest, "when": found.when, **sizes}
-
-
-def _drift_tree(run: LongRun) -> dict[str, Any]:
-    quantities = [
-        {"what": d.what, "kind": d.kind, "relative": d.relative, "first": d.first, "last": d.last, "grows": d.grows}
-        | {"resolved": d.resolved}
-        for d in run.drifts
-    ]
-    return {
-        "method": run.method,
-        "step": run.step,
-        "reached": run.reached,
-        "wanted": run.wanted,
-        "why": run.why,
-        "quantities": quantities,
-    }
-
-
-def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
-    if found is None:
-        return None
-    return {
-        "growth": found.norms[-1],
-        "largest": found.largest,
-        "peak": found.peak,
-        "plain": found.plain,
-        "law": found.law.name,
-        "rate": _finite(found.law.rate),
-        "since": found.law.since,
-        "until": found.law.until,
-        "horizon": _finite(found.law.horizon),
-        "seen": found.law.seen,
-    }
-
-
-def _finite(value: float | None) -> float | None:
-    return value if value is not None and math.isfinite(value) else None
-
-
-def _motion_tree(found: Motion) -> dict[str, Any]:
-    made = found.linearisation
-    data: dict[str, Any] = {
-        "kind": "equilibrium" if made.steady.equilibrium else "steady motion",
-        "formulation": found.formulation.name,
-        "state": dict(zip(found.flow.names, made.steady.y, strict=True)),
-        "verdict": verdict(made) if found.regularity > SINGULAR else None,
-        "regularity": found.regularity,
-        "structural_zeros": made.family,
-        "eigenvalues": [{"real": x.real, "imag": x.imag} for x in eigenvalues(made)],
-    }
-    if found.swept is not None:
-        data["crossings"] = [
-            {"value": c.value, "kind": c.kind, "frequency": c.frequency, "up": c.unstable_above}
-            for c in found.swept.crossings
-        ]
-        data["unlocated"] = [{"low": low, "high": high} for low, high in found.swept.unlocated]
-        left = found.swept.leaves()
-        data["left"] = {"value": left[0], "what": left[1]} if left else None
-    return data
