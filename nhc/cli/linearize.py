@@ -238,7 +238,9 @@ def _notes(found: Findings, formulation: str) -> list[str]:
         notes.append(
             f"the sweep leaves the motion asked about, first at {left[0]:.10g}: {left[1]}; `--hold` keeps such a velocity"
         )
-    if found.halted and formulation == "voronec":
+    system = found.flow.system
+    turns = bool(system.rotations) or any(form.equation is None for form in system.constraints)
+    if found.halted and formulation == "voronec" and turns:
         notes.append(_OTHERS)
     return notes
 

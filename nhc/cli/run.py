@@ -228,30 +228,42 @@ def _conclude(found: Trajectory, target: Path | None, until: str) -> int:
         return _report(found, target)
     if until and found.ended != "event":
         say("the expression of `--until` does not cross zero before the end of the scene")
-    _deliver(found, target)
-    return Exit.DONE
+    return _deliver(found, target)
 
 
-def _deliver(found: Trajectory, target: Path | None) -> None:
+def _deliver(found: Trajectory, target: Path | None) -> int:
+    """Write the rows; an interrupt meanwhile keeps them, as one during the run keeps those so far."""
     from nhc.report.trajectory import csv_text, make_file
 
     if found.ended == "event":
         say(f"stopped at t = {found.times[-1]!r}: {found.reason}")
     if target is None:
         put(csv_text(found))
-        return
-    write_bytes(target, make_file(found, target.suffix))
+        return Exit.DONE
+    try:
+        content = make_file(found, target.suffix)
+    except KeyboardInterrupt:
+        say(f"interrupted after the run; {len(found.times)} rows are kept")
+        _keep_part(found, target)
+        return Exit.INTERRUPTED
+    write_bytes(target, content)
     outcome = found.outcome
     how = "C" if found.compiled else "Python"
     say(
         f"{len(found.times)} rows, {found.method} in {how}: {outcome.steps} steps ({outcome.rejected} rejected), "
         f"{outcome.calls} right-hand sides"
     )
+    return Exit.DONE
+
+
+def _keep_part(found: Trajectory, target: Path) -> None:
+    from nhc.report.trajectory import make_file
+
+    write_bytes(target.with_name(f"{target.stem}.partial{target.suffix}"), make_file(found, target.suffix))
 
 
 def _report(found: Trajectory, target: Path | None) -> int:
     """A run that did not come to its end: what there is goes to a file whose name says so."""
-    from nhc.report.trajectory import make_file
     from nhc.simulate.outcomes import LOST_RANK, describe_state, rank_left
 
     state = describe_state(found.job, found.outcome)
@@ -262,7 +274,7 @@ def _report(found: Trajectory, target: Path | None) -> int:
             + ("nothing was written" if target is None else f"{len(found.times)} rows are kept")
         )
     if target is not None and found.ended == "stopped":
-        write_bytes(target.with_name(f"{target.stem}.partial{target.suffix}"), make_file(found, target.suffix))
+        _keep_part(found, target)
     if found.ended == "stopped":
         return Exit.INTERRUPTED
     scene, method = found.job.scene.name, found.method

@@ -11,6 +11,9 @@ SIZE = 10.5
 _WIDE = 0.56  # of a letter, in sizes
 _APART = 7.0  # pixels from a name to lines that are not its own
 _STEP = 4.0  # pixels between the places that stand for a line
+_LARGE, _MARK = 12.0, 4.2  # the size of numbers, and half of what stands at their places
+_AROUND = ((7, -7), (-7, -7), (7, 15), (-7, 15), (9, 4), (-9, 4), (0, -8), (0, 17))
+"""Where a number may stand: to the right of its place, or to the left, and by how much its base line is below it."""
 Place = tuple[float, float]
 
 
@@ -63,6 +66,31 @@ def place_names(kinds: Sequence[tuple[str, Sequence[Sequence[Place]]]], frame: B
                 boxes.append(box)
                 made.append(name)
                 break
+    return made
+
+
+def place_numbers(
+    texts: Sequence[str], places: Sequence[Place], lines: Sequence[Sequence[Place]], frame: Box
+) -> list[Name | None]:
+    """A text beside each of the places, where it covers no other text and no place, and lines as little as may be; None where there
+    is no room.
+    """
+    drawn = [place for line in lines for place in _follow(line)]
+    marks = [Box(x - _MARK, y - _MARK, x + _MARK, y + _MARK) for x, y in places]
+    boxes, made = list[Box](), list[Name | None]()
+    for text, (x, y) in zip(texts, places, strict=True):
+        wide = _WIDE * _LARGE * len(text)
+        best: tuple[int, Name, Box] | None = None
+        for right, below in _AROUND:
+            left = x + (right if right > 0 else right - wide if right < 0 else -wide / 2)
+            box = Box(left - 1, y + below - _LARGE + 2, left + wide + 1, y + below + 1)
+            if not box.within(frame) or any(map(box.meets, (*boxes, *marks))):
+                continue
+            covered = sum(map(box.holds, drawn))
+            if best is None or covered < best[0]:
+                best = covered, Name(text, left, y + below), box
+        made.append(best[1] if best else None)
+        boxes += [best[2]] if best else []
     return made
 
 

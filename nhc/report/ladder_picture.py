@@ -8,6 +8,7 @@ from dataclasses import replace
 from html import escape
 
 from nhc.emit.environment import create_environment
+from nhc.report.labels import Box, place_numbers
 from nhc.report.ladder import list_rungs, note_longer, print_how, reduced_spec
 from nhc.report.marks import (
     draw_axes,
@@ -65,16 +66,15 @@ def _draw_plot(ladder: Ladder, left: float, label: str, value: Callable[[Rung], 
     places = [(left + x.place(e), bottom - y.place(v)) for e, v in zip(errors, values, strict=True)]
     path = " ".join(f"{a:.2f},{b:.2f}" for a, b in places)
     parts.append(f'<polyline points="{path}" fill="none" stroke="{MODEL}" stroke-width="1.6"/>')
-    for k, (a, b) in enumerate(places):
-        parts.append(draw_marker("circle", a, b, 4.2, MODEL, k == 0, f' class="point" data-k="{k}"'))
-        if k == 0 or k == len(places) - 1 or _is_apart(places[k], places[k - 1]):
-            before = a < limit < a + 9 + 8 * len(str(k))  # a number does not stand on the dashed line
-            parts.append(draw_text(a - 7 if before else a + 7, b - 7, str(k), "end" if before else "start", BOLD))
-    return parts
-
-
-def _is_apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
-    return abs(a[0] - b[0]) + abs(a[1] - b[1]) > 12
+    parts += [
+        draw_marker("circle", a, b, 4.2, MODEL, k == 0, f' class="point" data-k="{k}"')
+        for k, (a, b) in enumerate(places)
+    ]
+    frame = Box(left, TOP, left + PLOT_WIDTH + 20, bottom)
+    numbers = place_numbers(
+        [str(k) for k in range(len(places))], places, [places, [(limit, bottom), (limit, float(TOP))]], frame
+    )
+    return [*parts, *(draw_text(n.x, n.y, n.text, more=BOLD) for n in numbers if n is not None)]
 
 
 def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:

@@ -125,7 +125,12 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         notes += _tell_passed(method, task)
     legs = follower.run(task)
     seconds = time.perf_counter() - before - workshop.seconds
-    found = _gather(workshop, legs)
+    try:
+        found = _gather(workshop, legs)
+    except KeyboardInterrupt:  # what was integrated is kept, unless there is a second one
+        workshop.stopped, found = True, _gather(workshop, legs)
+    if workshop.stopped and found.ended in ("done", "event"):
+        found = replace(found, ended="stopped")
     if found.ended == "failed" and found.outcome.kind == DONE:
         found = _find_loss(found, lambda one: _go(workshop, begin(), one), task)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)

@@ -72,13 +72,14 @@ class _Made:
 class Workshop:
     """Models that are made once, and run in a thread of their own so that Ctrl-C is heard.
 
-    ``seconds``: what making them has taken.
+    ``seconds``: what making them has taken; ``stopped``: somebody has asked to stop, and no run begins any more.
     """
 
     compiled: bool
     show: Show | None
     notes: tuple[str, ...] = ()
     seconds: float = 0.0
+    stopped: bool = False
     _made: list[_Made] = field(default_factory=list)
 
     def model(self, job: Job, method: str) -> Model:
@@ -103,8 +104,12 @@ class Workshop:
 
     def _run(self, made: _Made, task: Task) -> Outcome:
         news = made.model.news()
-        news.t = task.times[0]
-        return wait_for(lambda: made.model.integrate(task, made.method, news), news, self.show)
+        news.t, news.stop = task.times[0], self.stopped
+        outcome = wait_for(lambda: made.model.integrate(task, made.method, news), news, self.show)
+        self.stopped = news.stop
+        if news.stop and outcome.kind == TOO_MANY:  # it ended before it was asked to
+            outcome.kind = STOPPED
+        return outcome
 
     def _find(self, job: Job, method: str) -> _Made:
         for made in self._made:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -14,7 +15,7 @@ from nhc.simulate.c.compiled import CompiledModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, list_times, run
-from nhc.simulate.task import DONE, STOPPED, TOO_MANY, Task
+from nhc.simulate.task import DONE, STOPPED, TOO_MANY, News, Outcome, Task
 from nhc.simulate.workshop import Workshop, load
 from tests.support import spec_path
 
@@ -130,3 +131,35 @@ def test_an_interrupt_of_the_compiler_keeps_what_the_hasty_model_has_reached(mon
     assert (found.ended, found.outcome.kind) == ("stopped", STOPPED)
     assert found.times[0] < found.outcome.t < found.job.time[1]
     assert found.rows and len(found.rows) == len(found.times)
+
+
+def test_an_interrupt_between_two_models_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The hasty model has taken its last step, the optimised one not its first."""
+    whole = CompiledModel.integrate
+    seen = list[int]()
+
+    def integrate(self: CompiledModel, task: Task, method: str, news: News) -> Outcome:
+        found = whole(self, task, method, news)
+        seen.append(found.kind)
+        news.stop = True
+        return found
+
+    monkeypatch.setattr(workshop, "_find_haste", lambda job, method: 20)
+    monkeypatch.setattr(CompiledModel, "integrate", integrate)
+    found = run(job_of("dop853"), Settings("dop853"), lambda t: None)
+    assert seen == [TOO_MANY] and found.ended == "stopped"
+    assert found.times[0] < found.outcome.t < found.job.time[1]
+
+
+def test_an_interrupt_after_the_last_step_keeps_all_rows(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole, calls = CompiledModel.quantities, list[int]()
+
+    def quantities(self: CompiledModel, *given: Any) -> Any:
+        calls.append(len(calls))
+        if len(calls) == 1:
+            raise KeyboardInterrupt
+        return whole(self, *given)
+
+    monkeypatch.setattr(CompiledModel, "quantities", quantities)
+    found = run(job_of("dop853"), Settings("dop853"), lambda t: None)
+    assert found.ended == "stopped" and len(found.times) == 201 and found.outcome.t == found.job.time[1]

@@ -24,7 +24,7 @@ from nhc.program.ir import Argument, Call, Function, Load, Ref, Store
 from nhc.report.chart import draw_study
 from nhc.report.chart_file import make_file
 from nhc.report.chart_text import list_failures, to_data, to_markdown
-from nhc.report.labels import Box, place_names
+from nhc.report.labels import Box, place_names, place_numbers
 from nhc.simulate.auto import decay_rate
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
@@ -430,3 +430,15 @@ def test_a_long_compiler_line_stays_in_the_picture() -> None:
     for line in small:
         assert float(line.get("x", "")) + 10.5 * 0.56 * len(line.text or "") < float(root.get("width", ""))
         assert float(line.get("y", "")) < float(root.get("height", "")) - 4
+
+
+def test_numbers_of_places_that_are_close_together_cover_nothing() -> None:
+    """Each has its own side; one that has no room is left out."""
+    places = [(100.0, 100.0), (105.0, 92.0), (108.0, 101.0), (95.0, 104.0)]
+    frame = Box(0, 0, 200, 200)
+    found = place_numbers(list("0123"), places, [places], frame)
+    boxes = [Box(n.x, n.y - 9, n.x + 7, n.y) for n in found if n is not None]
+    assert len(boxes) >= 3
+    for k, box in enumerate(boxes):
+        assert not any(map(box.holds, places)) and not any(map(box.meets, boxes[:k]))
+    assert place_numbers(["0"], [(100.0, 100.0)], [], Box(95, 95, 105, 105)) == [None]

@@ -277,6 +277,7 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
         done = subprocess.run(
             [*command, unit, "-lm", "-o", library.name],
             cwd=work,
+            env={**os.environ, "TMPDIR": str(work)},  # a compiler that is interrupted leaves files
             capture_output=True,
             text=True,
             errors="replace",
