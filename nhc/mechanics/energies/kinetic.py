@@ -109,11 +109,15 @@ def _forms_of(system: System, energy: Node) -> list[Node]:
     degree = degrees(g, system.v)
     if degree[energy] == 99:
         return []
-    rates = rates_of_positions(system)
+    rates, constants = rates_of_positions(system), g.mask(system.p)
 
     def strip(node: Node) -> Node:
         """The rate of a length is a form as it stands, L' = (x x' + y y')/L: exact, which its numerator is not."""
         bare = _without_factor(g, node, degree)
+        if system.rotations and bare != node and bare not in rates:  # R_z3 (R_z1 q - R_z2 p)/s is the rate of s
+            whole = _without_constants(g, node, constants)
+            if whole in rates:
+                return whole
         divided = g.op[node] == MUL and any(g.op[x] == POW and g.b[x] < 0 for x in g.kids[node])
         if not divided or g.op[bare] != ADD or bare in rates:
             return bare

@@ -6,113 +6,43 @@ x' = a R_y . omega.  With gamma = R_k for one of the three axes of space, the no
     R_j = gamma x R_i,    R_i = R_j x gamma,
 
 so that a component that is linear in R_i and R_j is one of R_i alone: alpha . R_i + beta . R_j = (alpha + beta x gamma) . R_i.
-Where both rows give one V over gamma, and V . gamma is the third component, T's squares are those of V, which needs one row of
-the matrix in place of three; accelerations are read in the same way.  (E. J. Routh, Advanced Rigid Dynamics, 6th ed. (1905),
-article 241, has these equations of a body that rolls on a plane.)
+Where both rows give one V across gamma, and the third component is one over gamma (R_i x R_j is), T's squares are those of V, which
+needs one row of the matrix in place of three; with gamma^2 = 1 an ellipsoid's V is k x omega again, k to its contact.
+Accelerations are read in the same way, or V' + omega x V, if that is shorter.  (E. J. Routh, Advanced Rigid Dynamics, 6th ed.
+(1905), article 241, has these equations of a body that rolls on a plane.)
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
+from itertools import islice
 
 from nhc.algebra.calculus import tangent
-from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.known_values import known_value
-from nhc.algebra.parts import split_powers
+from nhc.algebra.parts import split_parameters
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.solving.linear import NotLinear, linear_form
+from nhc.algebra.walks import count
 from nhc.mechanics.energies.kinetic import Kinetic, is_exact_rate
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.moving.moved import Moved, Weights
 from nhc.mechanics.moving.rows import lone_squares
-from nhc.mechanics.rotations.rotation import Rotation, Spelled, spell
+from nhc.mechanics.moving.seen import Seen
+from nhc.mechanics.rotations.rotation import Rotation, spell
 from nhc.mechanics.rotations.turning import along, moving
-from nhc.mechanics.rotations.turns import Vector, add_vectors, cross, scale_vector
+from nhc.mechanics.rotations.turns import Vector, add_vectors, cross
 from nhc.mechanics.system import System
 from nhc.records import record
 
 
 @record
-class _Seen:
-    """A rotation by symbols; ``kept`` is the mask of all velocities that the motion keeps."""
-
-    rotation: Rotation
-    spelled: Spelled
-    kept: int
-
-    @property
-    def rows(self) -> tuple[Vector, ...]:
-        """The symbols of the entries."""
-        x = self.spelled.entries
-        return tuple((x[k], x[k + 1], x[k + 2]) for k in (0, 3, 6))
-
-    def normals(self, graph: Graph, components: Vector) -> list[int]:
-        """The axes of space along which a vector has no entries of the matrix but that axis's own, the last one first."""
-        g = graph
-        named = substitute(g, components, self.spelled.words, named=False)
-        across = [g.mask([x for i, row in enumerate(self.rows) if i != k for x in row]) for k in range(3)]
-        return [k for k in (2, 0, 1) if not g.depends(named[k], across[k])]
-
-    def read(self, graph: Graph, components: Vector, k: int, *, oriented: bool = False) -> tuple[Vector, Vector] | None:
-        """V on the body's axes of a vector with these components in space, over the row ``k`` of the matrix, and the components
-        with the signs by which they are those of V: their own if ``oriented``.  None where there is no V.
-        """
-        g = graph
-        named = substitute(g, components, self.spelled.words, named=False)
-        i, j = (k + 1) % 3, (k + 2) % 3
-        first, second = (self._by_rows(g, named[axis], i, j) for axis in (i, j))
-        if first is None or second is None:
-            return None
-        x, y, z = substitute(
-            g, add_vectors(g, first[0], cross(g, first[1], self.rows[k])), self.spelled.meaning, named=False
-        )
-        local, matrix, signs = (x, y, z), self.rotation.matrix, (1,) if oriented else (1, -1)
-        signed, still = list(components), [g.zero] * 3
-        along = g.dot(matrix[k], local)  # what the rows i and j say nothing of
-        sign = self._sign(g, along, components[k], signs)
-        if sign is not None:
-            signed[k] = g.scale(sign, components[k])
-        elif oriented or components[k] == g.zero:
-            local = add_vectors(g, local, scale_vector(g, g.sub(components[k], along), matrix[k]))
-        else:
-            return None
-        sign = self._sign(g, g.dot(matrix[j], local), g.sub(components[j], second[2]), signs)
-        if sign is None:
-            return None
-        still[i], still[j], signed[j] = first[2], g.scale(sign, second[2]), g.scale(sign, components[j])
-        x, y, z = (g.dot(column, still) for column in zip(*matrix, strict=True))
-        return add_vectors(g, local, (x, y, z)), (signed[0], signed[1], signed[2])
-
-    def _sign(self, g: Graph, x: Node, y: Node, signs: Sequence[int]) -> int | None:
-        """The sign with which x = y, exactly; None where there is none."""
-        return next((sign for sign in signs if is_zero(g, g.sub(x, g.scale(sign, y)))), None)
-
-    def _by_rows(self, g: Graph, node: Node, i: int, j: int) -> tuple[Vector, Vector, Node] | None:
-        """What stands before the rows i and j of the matrix in a sum of their entries, and what else there is, as on a turntable
-        that moves by itself; None where that moves with the velocities.
-        """
-        try:
-            parts, rest = linear_form(g, node, (*self.rows[i], *self.rows[j]))
-        except NotLinear:
-            return None
-        if g.depends(rest, self.kept | g.mask(self.rotation.e)):
-            return None
-        found = (
-            g.zero if zero else part for part, zero in zip((*parts, rest), are_zero(g, [*parts, rest]), strict=True)
-        )
-        a, b, c, x, y, z, still = found
-        return (a, b, c), (x, y, z), substitute(g, [still], self.spelled.meaning, named=False)[0]
-
-
-@record
 class _Squares:
-    """h/2 (x^2 + y^2 + z^2) in T: the numbers of the forms along axes of space that may be meant (-1: no form, and zero), what they
-    are to be multiplied with to be x, y, z, and h.
+    """h/2 (x^2 + y^2 + z^2) in T: the numbers of the forms along axes of space that may be meant (-1: no form, and zero), of which
+    the first few are ``usual``, what they are to be multiplied with to be x, y, z, and h.
     """
 
     ways: tuple[tuple[int, int, int], ...]
+    usual: int
     scale: dict[int, Node]
     factor: Node
 
@@ -133,11 +63,11 @@ class _Placed:
 
 def move_on_bodies(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
     """T's vectors on the axes of the rotations in whose matrices their velocities are linear; None where there are none."""
-    g, seen = system.graph, list[_Seen]()
+    g, seen = system.graph, list[Seen]()
     for rotation in frame.turned:
         if rotation.sign > 0:
             own = spell(g, rotation)
-            seen.append(_Seen(rotation, own, g.mask((*frame.free, *own.omega))))
+            seen.append(Seen(rotation, own, g.mask((*frame.free, *own.omega))))
     squares = _squares(system, kinetic) if seen else []
     if not squares:
         return None
@@ -145,12 +75,17 @@ def move_on_bodies(system: System, kinetic: Kinetic, frame: Frame) -> Moved | No
     seeds = {**along(system, frame.kinematics), system.t: g.one}
     placed: list[_Placed] = []
     for group in squares:
-        for way in group.ways:
-            written = [g.mul(group.scale[k], kinetic.atoms[k]) if k >= 0 else g.zero for k in way]
-            there = substitute(g, written, on_motion)
-            found = next((x for one in seen if (x := _place(g, one, way, group, written, there, seeds))), None)
-            if found is not None:
-                placed.append(found)
+        ways = [
+            (way, [g.mul(group.scale[k], kinetic.atoms[k]) if k >= 0 else g.zero for k in way]) for way in group.ways
+        ]
+        options = [(way, written, substitute(g, written, on_motion)) for way, written in ways]
+        for one in seen:
+            order = [*options[: group.usual], *(x for x in options[group.usual :] if one.fits(g, x[2]))]
+            fitting = any(one.fits(g, x[2]) for x in options[: group.usual])
+            places = (_place(g, one, way, group, written, there, seeds) for way, written, there in order)
+            found = list(islice((x for x in places if x), 1 if fitting else 2))
+            if found:
+                placed.append(min(found, key=lambda x: count(g, [*x.velocity, *x.acceleration])))
                 break
     return _moved(system, kinetic, frame, placed, on_motion, seeds) if placed else None
 
@@ -161,7 +96,7 @@ def _squares(system: System, kinetic: Kinetic) -> list[_Squares]:
     for k in lone_squares(g, kinetic):
         factor = kinetic.hessian[k][k]
         for first, members in classes:
-            scale = _root(g, g.div(factor, first))
+            scale = _root(system, g.div(factor, first))
             if scale is not None and is_exact_rate(system, g.mul(scale, kinetic.atoms[k])):
                 members[k] = scale
                 break
@@ -174,24 +109,30 @@ def _squares(system: System, kinetic: Kinetic) -> list[_Squares]:
         for k in range(0, len(every) - 1, 3):
             match every[k : k + 3]:
                 case [x, y, z]:
-                    found.append(_Squares(((x, y, z),), members, factor))
+                    found.append(_Squares(_orders(x, y, z), 1, members, factor))
                 case [x, y]:
-                    found.append(_Squares(((x, y, -1), (-1, x, y), (x, -1, y)), members, factor))
+                    found.append(_Squares(_orders(x, y, -1), 3, members, factor))
     return found
 
 
-def _root(graph: Graph, ratio: Node) -> Node | None:
-    """A root of a product of even powers and a rational square; None of anything else."""
-    number, powers = split_powers(graph, ratio)
-    root = known_value("sqrt", Fraction(number))
-    if root is None or any(n % 2 for n in powers.values()):
+def _orders(x: int, y: int, z: int) -> tuple[tuple[int, int, int], ...]:
+    """Along which axes the components may be: as they are written first, then with others between."""
+    return (x, y, z), (z, x, y), (x, z, y), (y, x, z), (z, y, x), (y, z, x)
+
+
+def _root(system: System, ratio: Node) -> Node | None:
+    """A root of a product of even powers of parameters and a rational square; None of anything else."""
+    g = system.graph
+    factor, rest = split_parameters(g, ratio, g.mask(system.p))
+    root = known_value("sqrt", factor.number)
+    if root is None or rest != g.one or any(n % 2 for n in factor.powers.values()):
         return None
-    return graph.product([graph.number(root), *(graph.power(base, n // 2) for base, n in powers.items())])
+    return g.product([g.number(root), *(g.power(base, n // 2) for base, n in factor.powers.items())])
 
 
 def _place(
     g: Graph,
-    one: _Seen,
+    one: Seen,
     way: tuple[int, int, int],
     squares: _Squares,
     written: Sequence[Node],
@@ -200,20 +141,19 @@ def _place(
 ) -> _Placed | None:
     """The vector with components ``written``, which are ``there`` on the motion, on the axes of a rotation."""
     x, y, z = there
-    ways = ((k, one.read(g, (x, y, z), k)) for k in one.normals(g, (x, y, z)))
+    ways = ((k, one.read(g, own, k)) for k, own in one.normals(g, (x, y, z)))
     axis, found = next(((k, own) for k, own in ways if own is not None), (0, None))
     if found is None:
         return None
-    velocity, signed = found
-    x, y, z = (a if b == c else g.neg(a) for a, b, c in zip(written, there, signed, strict=True))
-    rates = tangent(g, signed, seeds)
+    velocity, signs = found
+    x, y, z = map(g.scale, signs, written)
+    rates = tangent(g, [*map(g.scale, signs, there)], seeds)
     again = one.read(g, (rates[0], rates[1], rates[2]), axis, oriented=True)
-    if again is not None:
+    a, b, c = tangent(g, velocity, seeds)
+    turning = one.rotation.turning(g, [seeds[e] for e in one.rotation.e])
+    acceleration = add_vectors(g, (a, b, c), cross(g, turning[1:], velocity))
+    if again is not None and count(g, again[0]) < count(g, acceleration):
         acceleration = again[0]
-    else:
-        a, b, c = tangent(g, velocity, seeds)
-        turning = one.rotation.turning(g, [seeds[e] for e in one.rotation.e])
-        acceleration = add_vectors(g, (a, b, c), cross(g, turning[1:], velocity))
     return _Placed(way, squares.factor, (x, y, z), one.rotation, velocity, acceleration)
 
 
@@ -249,7 +189,7 @@ def _moved(
 
     return Moved(
         frame=frame,
-        velocities=frame.kinematics,
+        velocities=_in_space(system, frame.kinematics, placed),
         kinetic=kinetic,
         u=tuple(u),
         drift=tuple(drift),
@@ -264,6 +204,21 @@ def _moved(
         settled=False,
         turning=(),
     )
+
+
+def _in_space(system: System, velocities: Sequence[Node], placed: Sequence[_Placed]) -> tuple[Node, ...]:
+    """The velocities, of which those that are components of a vector are taken from it, R_i . V, where that is shorter."""
+    g, made = system.graph, list(velocities)
+    for own in placed:
+        for component, row in zip(own.written, own.rotation.matrix, strict=True):
+            for i, v in enumerate(system.v):
+                if v in (component, g.neg(component)):
+                    value = g.dot(row, own.velocity)
+                    known = (*own.acceleration, *row)  # what is computed anyhow
+                    other = value if v == component else g.neg(value)
+                    if count(g, [*known, other]) < count(g, [*known, made[i]]):
+                        made[i] = other
+    return tuple(made)
 
 
 def _with_vector(kinetic: Kinetic, placed: _Placed) -> tuple[Kinetic, list[int]]:
