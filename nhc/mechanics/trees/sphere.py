@@ -57,6 +57,10 @@ class Sphere:
         """What a variable gives to the foot's component along a vector."""
         return graph.sum(graph.mul(x, terms[i]) for x, terms in zip(vector, self.foot, strict=True) if i in terms)
 
+    def continues(self, graph: Graph) -> bool:
+        """Whether its foot is another's tip, one of its forms along each axis and no multiple of that."""
+        return all([abs(graph.value(a) or 0) for a in terms.values()] == [1] for terms in self.foot)
+
     def on_foot(self, graph: Graph, vector: Vector) -> list[Node]:
         """The components by the forms of the tip that it stands on, which may have the other sign."""
         return [graph.mul(a, x) for x, terms in zip(vector, self.foot, strict=True) for a in terms.values()]
@@ -64,6 +68,7 @@ class Sphere:
 
 def find_spheres(chain: Chain) -> list[Sphere]:
     """The rods, feet before tips."""
+    g = chain.graph
     users: list[list[int]] = [[] for _ in range(chain.size)]
     for k, terms in enumerate(chain.definitions):
         for c in terms:
@@ -80,7 +85,7 @@ def find_spheres(chain: Chain) -> list[Sphere]:
         rates = [i for key, own in pairs.items() if set(key) <= set(tip) for i in own]
         beyond = {j for t in tip for j in users[t]}
         carried = [own for own in made.values() if beyond & {*own.tip}]
-        alone = [own for own in carried if beyond == {*own.tip} and {*own.variables} == {*tip}]
+        alone = [own for own in carried if beyond == {*own.tip} and {*own.variables} == {*tip} and own.continues(g)]
         if len(rates) != 2 or mixed & {*tip} or (beyond and not alone):
             continue
         axes = tuple(i for terms in alone[0].foot for i in terms) if alone else tip

@@ -41,8 +41,7 @@ class Spheres:
         self.rods, self.roots = list[Sphere](), list[Sphere]()
         g, held = self.graph, dict[tuple[int, ...], Sphere]()
         for rod in find_spheres(chain):  # feet come before tips
-            same = all([abs(g.value(a) or 0) for a in terms.values()] == [1] for terms in rod.foot)
-            parent = held.get(tuple(i for terms in rod.foot for i in terms)) if same else None
+            parent = held.get(tuple(i for terms in rod.foot for i in terms)) if rod.continues(g) else None
             if parent is None:
                 self.roots.append(rod)
             else:

@@ -44,12 +44,14 @@ def _form_scales(g: Graph, recursion: Recursion, masses: dict[tuple[int, int], F
     for group in sorted(_groups(g, recursion), reverse=True):
         inside = set(group)
         own = [masses[i, i] for i in group if (i, i) in masses]
-        parts = [Factor(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own]
-        for i in group:
-            for j, a in users.get(i, ()):
-                if j not in inside:
-                    parts.append(split_parameters(g, g.mul(a, factors[j].node(g)), mask)[0])
-        shared = Factor(powers=common(parts).powers)
+        beyond = [
+            split_parameters(g, g.mul(a, factors[j].node(g)), mask)[0]
+            for i in group
+            for j, a in users.get(i, ())
+            if j not in inside
+        ]
+        parts = [*(Factor(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own), *beyond]
+        shared = Factor(common(beyond).number, common(parts).powers)  # what continues 2 x' continues x' in other units
         for i in group:
             factors[i] = shared
     return factors
