@@ -42,8 +42,9 @@ def lift_forces(chain: Chain) -> Chain:
 def _lift(chain: Chain, force: list[Node], i: int, places: dict[Node, tuple[int, int]]) -> None:
     """Move the terms of the force on rate i that fit to the forms."""
     g = chain.graph
-    kept = g.zero
-    for term in list_terms(g, force[i]):
+    kept, (common, whole) = g.zero, split_parameters(g, force[i], chain.parameters)
+    for part in list_terms(g, whole):
+        term = g.mul(common.node(g), part)
         outer, rest = split_parameters(g, term, chain.parameters)
         negative = g.op[rest] == NEG
         place = places.get(g.a[rest] if negative else rest)
