@@ -42,16 +42,21 @@ class Names:
                 c,
             )
 
-        def place(unit: Monomial) -> tuple[int, Monomial]:
-            return max(
-                (i for i, q in enumerate(self.system.q) for f, _ in unit if g.deps[f] & g.deps[q]), default=-1
-            ), unit
-
         one, terms = Fraction(1), list[Node]()
-        for unit in sorted(groups, key=place):
+        for unit in sorted(groups, key=lambda unit: (self._place(unit), unit)):
             still, moving = split_parameters(g, to_node(g, groups[unit]), self.parameters)
             terms.append(g.mul(still.node(g), g.mul(to_node(g, {unit: one}), moving)))
         return g.sum(terms)
+
+    def leading_number(self, form: Node) -> Fraction:
+        """The size of the number before the term that turns with the first coordinates: as another form of a chain begins."""
+        p = polynomial(self.graph, form, _TERMS)
+        return abs(Fraction(p[min(p, key=lambda m: (self._place(m), m))])) if p else Fraction(1)
+
+    def _place(self, unit: Monomial) -> int:
+        """The last coordinate in it that moves."""
+        g, q = self.graph, self.system.q
+        return max((i for i, x in enumerate(q) for f, _ in unit if g.deps[f] & g.deps[x]), default=-1)
 
     @cached_property
     def _rates(self) -> dict[frozenset[tuple[Monomial, Coefficient]], Node]:

@@ -71,11 +71,12 @@ class _Energy:
     def complete(self) -> tuple[Node, Node] | None:
         g, system = self.graph, self.system
         peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
+        peeled = {mass: ([*map(self._begin_at_one, squares)], rest) for mass, (squares, rest) in peeled.items()}
         made = self._assemble(peeled)
         if count(g, [made]) >= count(g, [system.T]):
             return None
         known = [square for squares, _ in peeled.values() for square in squares]
-        begun = {mass: self._begin(mass, rest, known) for mass, (_, rest) in peeled.items()}
+        begun = {mass: self._begin(rest, known) for mass, (_, rest) in peeled.items()}
         if not any(begun.values()):
             return made, made
         whole = {mass: ([*own, *begun[mass]], {} if begun[mass] else rest) for mass, (own, rest) in peeled.items()}
@@ -94,6 +95,13 @@ class _Energy:
             left = self._node(rest)
             parts.append(g.mul(g.product(mass), g.add(g.sum(terms), self._as_product(left, forms) or left)))
         return g.sum(parts)
+
+    def _begin_at_one(self, square: Square) -> Square:
+        """The square with the number before its forms' first term in its factor, so that equal beginnings are equal nodes."""
+        number, g = self.names.leading_number(square.forms[0]), self.graph
+        return Square(
+            square.factor * number**2, tuple(g.mul_number(1 / number, form) for form in square.forms), square.of
+        )
 
     def _open(self) -> Node:
         """T with sines and cosines of differences of coordinates by those of the coordinates."""
@@ -178,13 +186,10 @@ class _Energy:
                 break
         return squares, entries
 
-    def _begin(self, mass: Mass, rest: Entries, known: Sequence[Square]) -> list[Square]:
-        """A mass without products may be on the way to a point of others, the first of a chain: where it has a weight, or moves in
-        space.
-        """
+    def _begin(self, rest: Entries, known: Sequence[Square]) -> list[Square]:
+        """A mass without products may be on the way to a point of others, the first of a chain."""
         g, places = self.graph, {i for i, _ in rest}
-        weighs = any(g.depends(self.system.U, g.deps[f]) for f in mass)
-        if not rest or any(i != j for i, j in rest) or not (weighs or any(self._moves(p) for p in rest.values())):
+        if not rest or any(i != j for i, j in rest):
             return []
         still = {x: g.zero for i, x in enumerate(self.system.v) if i not in places}
         for square in known:
