@@ -28,9 +28,8 @@ def complete_squares(system: System) -> Node | None:
         if made is not None:
             plain, whole = substitute(g, made, back, named=False)
             found.append((plain, whole))
-    known = [(count(g, [plain]), whole) for plain, whole in filter(None, found)]
-    shorter = sorted(pair for pair in known if pair[0] < count(g, [system.T]))
-    return next((whole for _, whole in shorter if are_equal(g, [whole], [system.T])), None)
+    known = sorted((count(g, [plain]), whole) for plain, whole in filter(None, found))
+    return next((whole for _, whole in known if are_equal(g, [whole], [system.T])), None)
 
 
 def _by_links(system: System) -> Iterator[tuple[System, dict[Node, Node]]]:

@@ -20,6 +20,7 @@ from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.parts import split_parameters
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import degrees, linear_form
 from nhc.mechanics.rotations import turning
@@ -132,8 +133,9 @@ def energy_as_squares(system: System) -> Node:
     memo: dict[Node, Node] = g.memory.setdefault("energy as squares", {})
     if system.T not in memo:
         memo[system.T] = system.T
-        may = not system.rotations and "completed squares" not in g.off
-        if may and _has_products(g, system.T, degrees(g, system.v)) and _has_moving_factors(system):
+        may, degree = not system.rotations and "completed squares" not in g.off, degrees(g, system.v)
+        written = may and _has_products(g, system.T, degree) and _has_moving_factors(system)
+        if written or (may and _has_lone_points(system, degree)):
             from nhc.mechanics.energies.absolute import complete_squares  # here, for few specs need it
 
             memo[system.T] = complete_squares(system) or system.T
@@ -159,6 +161,19 @@ def _has_moving_factors(system: System) -> bool:
     g, hessian = system.graph, _structure(system, system.T).hessian
     constants = g.mask(system.p)
     return any(g.depends(h, ~constants) for i, row in enumerate(hessian) for h in row[: i + 1])
+
+
+def _has_lone_points(system: System, degree: Sequence[int]) -> bool:
+    """Whether a mass that is a point of its own by one velocity, m l^2 a'^2, stands beside forms of several velocities."""
+    g, mask = system.graph, system.graph.mask(system.p)
+    if degree[system.T] != 2:
+        return False
+    kinetic = _structure(system, system.T)
+    lone = [k for k, atom in enumerate(kinetic.atoms) if atom in system.v]
+    if not lone or len(lone) == len(kinetic.atoms):
+        return False
+    factors = [split_parameters(g, kinetic.hessian[k][k], mask)[0] for k in lone]
+    return any(n > 1 for factor in factors for n in factor.powers.values())
 
 
 def list_atoms(graph: Graph, root: Node, degree: Sequence[int], strip: Callable[[Node], Node]) -> list[Node]:

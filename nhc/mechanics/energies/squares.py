@@ -30,6 +30,8 @@ from nhc.records import record
 
 _TERMS = 4000
 """Terms of an energy that is looked at."""
+_LONGER = 1.25
+"""How many times as long squares may be where they say more: that a mass is a point, too."""
 _FORMS = 12
 """Forms up to which products of two are looked for."""
 Entries = dict[tuple[int, int], Polynomial]
@@ -50,7 +52,7 @@ class Square:
 
 def squares_of(system: System) -> tuple[Node, Node] | None:
     """T as a sum of squares, as far as it seems one, and the same with squares of points that masses without products are at; None
-    where the first is not shorter, or T is no polynomial of degree two.
+    where that is not shorter, or says nothing else, or T is no polynomial of degree two.
     """
     with suppress(TooLarge):
         return _Energy(system).complete()
@@ -73,12 +75,13 @@ class _Energy:
         peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
         peeled = {mass: ([*map(self._begin_at_one, squares)], rest) for mass, (squares, rest) in peeled.items()}
         made = self._assemble(peeled)
-        if count(g, [made]) >= count(g, [system.T]):
+        size, before = count(g, [made]), count(g, [system.T])
+        if size > _LONGER * before:
             return None
         known = [square for squares, _ in peeled.values() for square in squares]
-        begun = {mass: self._begin(rest, known) for mass, (_, rest) in peeled.items()}
+        begun = {mass: self._begin(mass, rest, known) for mass, (_, rest) in peeled.items()}
         if not any(begun.values()):
-            return made, made
+            return (made, made) if size < before else None
         whole = {mass: ([*own, *begun[mass]], {} if begun[mass] else rest) for mass, (own, rest) in peeled.items()}
         return made, self._assemble(whole)
 
@@ -186,10 +189,10 @@ class _Energy:
                 break
         return squares, entries
 
-    def _begin(self, rest: Entries, known: Sequence[Square]) -> list[Square]:
-        """A mass without products may be on the way to a point of others, the first of a chain."""
+    def _begin(self, mass: Mass, rest: Entries, known: Sequence[Square]) -> list[Square]:
+        """A mass without products may be on the way to a point of others, the first of a chain; a moment of inertia is not."""
         g, places = self.graph, {i for i, _ in rest}
-        if not rest or any(i != j for i, j in rest):
+        if any(i != j for i, j in rest) or (mass and not any(m for p in rest.values() for m in p)):
             return []
         still = {x: g.zero for i, x in enumerate(self.system.v) if i not in places}
         for square in known:
