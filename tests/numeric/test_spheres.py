@@ -14,6 +14,7 @@ from nhc.mechanics.trees.tree import Elimination
 from nhc.pipeline import Options, model
 from nhc.program.planning.held_tree import held_tree
 from tests.numeric.test_chains import dense, made
+from tests.numeric.test_squares import multiplied_out
 
 ANGLES = {  # the direction of a rod by two angles
     "about y, then x": ("sin(a)*cos(b)", "sin(b)", "-cos(a)*cos(b)"),
@@ -149,3 +150,23 @@ def test_what_carries_a_rod_is_not_multiplied_out() -> None:
     """The squares of a body's weights, which its rates need anyway, cost less than one polynomial in its quaternion."""
     _, tree = made(hanging("drone", 1))
     assert count(tree.graph, tree.rates) < 280
+
+
+LENGTHS = [
+    *(("2", "1", "3"), ("0.95", "1", "1"), ("2*l1", "l1", "l1"), ("l1", "l1/2", "2*l1")),
+    *(("l1", "2", "1"), ("1", "2*m1", "m1")),
+    *(("2", "1"), ("2", "3"), ("2*l1", "l1")),
+]
+"""Of rods: multiples of one another, which no unit of parameters makes equal."""
+
+
+@pytest.mark.parametrize("lengths", LENGTHS, ids=" ".join)
+@pytest.mark.parametrize("base", ["fixed", "cart"])
+@pytest.mark.parametrize("by", ["positions", "energies"])
+def test_lengths_that_are_multiples_of_one_another(lengths: tuple[str, ...], base: str, by: str) -> None:
+    """Rods of unequal lengths must not be joined as if the forms of their tips were those of equal ones."""
+    text = hanging(base, len(lengths), 5)
+    for k, length in enumerate(lengths, 1):
+        text = text.replace(f" l{k}*(", f" {length}*(")
+    tree = assert_same(multiplied_out(text) if by == "energies" else text)
+    assert len(tree.spheres.rods) == len(lengths) or by == "energies"

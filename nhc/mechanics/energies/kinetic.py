@@ -172,8 +172,8 @@ def _has_lone_points(system: System, degree: Sequence[int]) -> bool:
     lone = [k for k, atom in enumerate(kinetic.atoms) if atom in system.v]
     if not lone or len(lone) == len(kinetic.atoms):
         return False
-    factors = [split_parameters(g, kinetic.hessian[k][k], mask)[0] for k in lone]
-    return any(n > 1 for factor in factors for n in factor.powers.values())
+    found = [split_parameters(g, kinetic.hessian[k][k], mask) for k in lone]
+    return any(rest == g.one and any(n > 1 for n in factor.powers.values()) for factor, rest in found)
 
 
 def list_atoms(graph: Graph, root: Node, degree: Sequence[int], strip: Callable[[Node], Node]) -> list[Node]:
