@@ -72,15 +72,15 @@ def command(
 
     if old is not None:
         return _check(pipeline.check_certificate(source, _read(old)), old)
-    made = pipeline.compare(source)
+    made, emitted = pipeline.compare(source), pipeline.check_emitted(source)
     if as_json:
-        data = to_data(made, source.text)
+        data = {**to_data(made, source.text), "emitted": emitted}
         put_json("nhc.compare/1", {key: data[key] for key in data if key not in ("schema", "nhc")})
     elif certificate != "-":
-        _print(made)
+        _print(made, emitted)
     if certificate is not None:
         deliver(write(made, source.text), certificate, force=force)
-    return Exit.DONE if is_sound(made) else Exit.FAILED
+    return Exit.DONE if is_sound(made) and False not in emitted.values() else Exit.FAILED
 
 
 def _compare_two(spec: str, other: str, maps: tuple[str, ...], as_json: bool) -> int:
@@ -113,7 +113,7 @@ def _check(wrong: list[str], path: str) -> int:
     return Exit.FAILED
 
 
-def _print(made: Certificate) -> None:
+def _print(made: Certificate, emitted: dict[str, bool | None]) -> None:
     from nhc.mechanics.certificates.file import power_of_ten
 
     names = len(made.agreements)
@@ -132,11 +132,25 @@ def _print(made: Certificate) -> None:
         put_text(f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; {doubles}")
     put_text(f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;")
     put_text(f"  a difference passes unseen with a probability below {_bound(made)} ({_why(made)})")
+    for line in _emitted(emitted):
+        put_text(line)
     if made.rejections:
         put_text("wrong derivations, and how far their accelerations are from the truth (relative):")
     width = max((len(r.name) for r in made.rejections), default=0)
     for r in made.rejections:
         put_text(f"  {r.name:{width}}  {_fate(r, made.is_far(r))}")
+
+
+def _emitted(emitted: dict[str, bool | None]) -> list[str]:
+    """Whether emitted code does what the equations say."""
+    lines, held = [], [name for name, holds in emitted.items() if holds]
+    if held:
+        lines.append(f"emitted code: the rates solve the equations of {', '.join(held)}, exactly")
+    for name in (name for name, holds in emitted.items() if holds is False):
+        lines.append(
+            f"emitted code: the rates of {name} do NOT solve its equations, which is an error of nhc; use another formulation"
+        )
+    return lines
 
 
 def _bound(made: Certificate) -> str:
