@@ -15,7 +15,7 @@ from nhc.mechanics.pairs.points import PairPoints
 from nhc.mechanics.regular.trials import scattered_points, trial_points
 from nhc.mechanics.starts.scenes import start_of
 from nhc.mechanics.system import System
-from nhc.mechanics.values import default_values
+from nhc.mechanics.values import coordinate_ranges, default_values
 from nhc.records import record
 
 _DRAWN = 8  # the last of the trial points are random ones
@@ -120,7 +120,7 @@ def _compare(
     second = pairing.second
     try:
         settled = _settle(points, place)
-        if settled is None:
+        if settled is None or _leaves_ranges(points, settled):
             return None
         values, other = settled, _state_of_first(points, settled, own)
         if other is None:
@@ -137,6 +137,13 @@ def _compare(
     alone = [node for j in range(second.n) if j not in same for node in (second.q[j], second.v[j])]
     shown = _named(pairing.first, other) + _named(second, {node: values[node] for node in alone})
     return *found, shown
+
+
+def _leaves_ranges(points: PairPoints, values: Values) -> bool:
+    """Whether a state lies where roots have other signs than those that were taken."""
+    second = points.pairing.second
+    ranges = {q: limits for q, limits in coordinate_ranges(second).items() if second.symbol_name(q) in points.ranged}
+    return any(not low <= values[q] <= high for q, (low, high) in ranges.items())
 
 
 def _named(system: System, values: Values) -> tuple[tuple[str, float], ...]:

@@ -186,6 +186,14 @@ def has_halted(model: SteadyModel, guess: Sequence[float], y: Sequence[float]) -
     return model.value(y, kinetic) < _LOST * model.value(guess, kinetic)
 
 
+def is_missed(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> bool:
+    """Whether a velocity has gone that has much of the kinetic energy: the motion is another one than that asked about."""
+    return any(
+        abs(model.value(y, asked.node)) < abs(asked.value) / 2 and _share(model, guess, asked) > _LOST
+        for _, asked in _asked(model, scene, guess)
+    )
+
+
 def list_lost(model: SteadyModel, scene: Scene, guess: Sequence[float], y: Sequence[float]) -> tuple[str, ...]:
     """Which velocities that were asked for have gone, with what is left of them."""
     lost = list[str]()

@@ -42,12 +42,23 @@ def elsewhere(
     if system.rotations and error.place:
         with suppress(NotSteady):
             return nearest_of(system, start, study, where, whole=False)
-    if system.l and error.place and any(start.v):
-        with suppress(NotSteady):
-            made = study(system, build(system, "multipliers"))
-            if keeps(made):
-                return made
-    raise error
+    made = by_multipliers(system, start, study, keeps) if error.place else None
+    if made is None:
+        raise error
+    return made
+
+
+def by_multipliers(
+    system: System, start: Start, study: Callable[[System, Formulation], Found], keeps: Callable[[Found], bool]
+) -> Found | None:
+    """What multipliers find of a motion that was asked about, if it ``keeps`` the velocities of it."""
+    if not system.l or not any(start.v):
+        return None
+    with suppress(NotSteady):
+        made = study(system, build(system, "multipliers"))
+        if keeps(made):
+            return made
+    return None
 
 
 def nearest_of(

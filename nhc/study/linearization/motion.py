@@ -34,10 +34,11 @@ from nhc.mechanics.properties.symmetry import symmetries_of
 from nhc.mechanics.properties.timed import timed_parts
 from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.mechanics.starts.scenes import Start, start_of
+from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value, named_constants
 from nhc.records import record
-from nhc.study.linearization.asked import SNAP, find_asked, has_halted, list_lost
-from nhc.study.linearization.coframes import elsewhere
+from nhc.study.linearization.asked import SNAP, find_asked, has_halted, is_missed, list_lost
+from nhc.study.linearization.coframes import by_multipliers, elsewhere
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady, Steady, check_frame, check_smooth
 from nhc.study.linearization.leaf import defined_at, held_on_leaf, leaf_integrals
@@ -75,6 +76,8 @@ class Findings:
     """What has become of each velocity that was asked for and has gone."""
     halted: bool
     """Whether most of the motion that was asked about has gone."""
+    missed: bool
+    """Whether a velocity has gone that has much of the kinetic energy."""
     absent: tuple[str, ...] = ()
 
 
@@ -127,16 +130,17 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     made = linearise_at(model, steady)
     lost = list_lost(model, scene, guess, steady.y)
     halted = bool(lost) and has_halted(model, guess, steady.y)
+    missed = bool(lost) and is_missed(model, scene, guess, steady.y)
     point = point_of(flow, scene)
     place = _exact_place(model, point, model.values(guess), steady)
     shifts = _list_shifts(model) if steady.turns else []
     paper = _on_paper(model, place, shifts) if place else "the state is no expression in the parameters"
     swept = sweep_along(model, scene, guess, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
-        return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted)
+        return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted, missed)
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
-    return Findings(flow, formulation, model, made, rows, held, "", swept, lost, halted)
+    return Findings(flow, formulation, model, made, rows, held, "", swept, lost, halted, missed)
 
 
 def _on_paper(model: SteadyModel, place: dict[Node, Node], shifts: list[list[Node]]) -> SymbolicMatrix | str:
@@ -175,18 +179,19 @@ def linearise_whole(equations: Equations, formulation: Formulation, request: Req
     """
     system = equations.system
     better = reduced(system, formulation)
+    start = start_of(system, scene_about(system.spec, request.about, request.settings))
+
+    def study(own: System, other: Formulation) -> Findings:
+        return linearise(equations_of(own, other), other, request, start)
+
+    def keeps(made: Findings) -> bool:
+        return not made.lost
+
     try:
-        return linearise(equations if better is formulation else equations_of(system, better), better, request)
+        found = linearise(equations if better is formulation else equations_of(system, better), better, request)
     except NotSteady as error:
-        start = start_of(system, scene_about(system.spec, request.about, request.settings))
-        return elsewhere(
-            system,
-            error,
-            start,
-            lambda own, other: linearise(equations_of(own, other), other, request, start),
-            found_at,
-            lambda made: not made.lost,
-        )
+        return elsewhere(system, error, start, study, found_at, keeps)
+    return (by_multipliers(system, start, study, keeps) or found) if found.missed else found
 
 
 def found_at(findings: Findings) -> tuple[SteadyModel, Steady]:

@@ -23,8 +23,8 @@ from nhc.mechanics.starts.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.study.linearization.absent import BEST, Left, Worth, ask_without_zeros, leave_zeros_out
-from nhc.study.linearization.asked import find_asked, has_halted, keep_ranges, list_lost
-from nhc.study.linearization.coframes import elsewhere
+from nhc.study.linearization.asked import find_asked, has_halted, is_missed, keep_ranges, list_lost
+from nhc.study.linearization.coframes import by_multipliers, elsewhere
 from nhc.study.linearization.field import SINGULAR, Hold, SteadyModel
 from nhc.study.linearization.found import Locked, NotSteady, Steady, check_smooth
 from nhc.study.linearization.leaf import held_on_leaf
@@ -43,7 +43,7 @@ class Motion:
     ``regularity`` in [0, 1]: of the mass matrix there, and of what inertia is left; below ``SINGULAR`` the coordinates
     themselves fail (gimbal lock) and the eigenvalues say nothing of the motion.  ``absent``: parameters that are 0 and were left
     out of the equations.  ``lost``: what has become of each velocity that was asked for and has gone; ``halted``: with most
-    of the motion.
+    of the motion; ``missed``: one of them had much of it.
     """
 
     formulation: Formulation
@@ -56,6 +56,7 @@ class Motion:
     absent: tuple[str, ...] = ()
     lost: tuple[str, ...] = ()
     halted: bool = False
+    missed: bool = False
 
     @property
     def flow(self) -> Flow:
@@ -132,23 +133,19 @@ def _anywhere(
     """The steady motion in this formulation, or in others where this one is singular."""
     system = equations.system
     better = reduced(system, formulation)
+    own = equations if better is formulation else equations_of(system, better)
+
+    def study(system: System, other: Formulation) -> Motion:
+        return _motion(equations_of(system, other), other, search, scene, start, beside)
+
+    def keeps(made: Motion) -> bool:
+        return not made.lost
+
     try:
-        return _motion(
-            equations if better is formulation else equations_of(system, better), better, search, scene, start, beside
-        )
+        found = _motion(own, better, search, scene, start, beside)
     except NotSteady as error:
-
-        def study(own: System, other: Formulation) -> Motion:
-            return _motion(equations_of(own, other), other, search, scene, start, beside)
-
-        return elsewhere(
-            system,
-            error,
-            start,
-            study,
-            lambda made: (made.model, made.linearisation.steady),
-            lambda made: not made.lost,
-        )
+        return elsewhere(system, error, start, study, lambda made: (made.model, made.linearisation.steady), keeps)
+    return (by_multipliers(system, start, study, keeps) or found) if found.missed else found
 
 
 def _motion(
@@ -173,7 +170,8 @@ def _motion(
         swept = sweep_along(model, scene, guess, steady.y, holds, (name, *search.sweep[1:]))
     lost = list_lost(model, scene, guess, steady.y)
     halted = bool(lost) and has_halted(model, guess, steady.y)
-    return Motion(better, model, made, swept, place, regularity, name, lost=lost, halted=halted)
+    missed = bool(lost) and is_missed(model, scene, guess, steady.y)
+    return Motion(better, model, made, swept, place, regularity, name, lost=lost, halted=halted, missed=missed)
 
 
 def _spelled(flow: Flow, name: str) -> str:

@@ -27,6 +27,8 @@ _FINE = 1e-4  # of a difference: errors up to which its nudge is not changed
 _ROUNDING = 10.0 * _TOLERANCE  # of the state
 _TRIALS = 5
 _LOST = 0.1  # of a difference: beyond the scene nothing is followed further then
+_APART = 0.3  # of the growth: what errors of the differences may make of it
+_LEAST_ERROR = 1e-9
 _INSIDE = 200  # ends of steps that are looked at in each segment
 _LONGEST = 10  # lengths of the scene that a law is looked for in
 _EFFORT, _EFFORT_INTERPRETED = 1e7, 1e5  # of this look: steps times the square of the state's size
@@ -60,17 +62,23 @@ def sensitivity(bench: Bench, lengths: float = _LONGEST) -> Sensitivity:
     basis = admissible(bench)
     scale, product = bench.sizes, basis
     times, norms, flow = [bench.times[0]], [1.0], _Flow(bench)
+    shadow = basis
     largest = (1.0, times[0])
     for first, last in pairwise(picked):
         looks = _looks(bench, bench.times[first], bench.times[last])
         products = flow.segment(looks, bench.reference[first]) @ product
         found = _norms(products, basis, scale)
         largest = max(largest, *zip(found, looks[1:], strict=True), key=itemgetter(0))
+        shadow = flow.disturbed() @ shadow
         product = products[-1]
         times.append(bench.times[last])
         norms.append(found[-1])
+        if _are_apart(product, shadow, basis, scale):
+            raise ArithmeticError(
+                f"what has grown shrinks again by more than differences of runs tell, at t = {bench.times[last]:.6g}"
+            )
     plain = float(np.linalg.norm(product, 2)) if product.size else 0.0
-    later = _later(flow, min(lengths, _LONGEST), product, basis)
+    later = _later(flow, min(lengths, _LONGEST), product, shadow, basis)
     whole = [*times, *(t for t, _ in later)]
     law = find_law(whole, [*norms, *(norm for _, norm in later)], bench.duration)
     return Sensitivity(tuple(times), tuple(norms), plain, *largest, law)
@@ -82,7 +90,7 @@ def _looks(bench: Bench, start: float, stop: float) -> list[float]:
     return [start, *inside[:: 1 + len(inside) // _INSIDE], stop]
 
 
-def _later(flow: _Flow, lengths: float, product: Matrix, basis: Matrix) -> list[tuple[float, float]]:
+def _later(flow: _Flow, lengths: float, product: Matrix, shadow: Matrix, basis: Matrix) -> list[tuple[float, float]]:
     """(time, norm) beyond the scene, for as long as the motion goes on and it is cheap."""
     bench = flow.bench
     most = _EFFORT if bench.model.compiled else _EFFORT_INTERPRETED
@@ -99,11 +107,20 @@ def _later(flow: _Flow, lengths: float, product: Matrix, basis: Matrix) -> list[
             product = flow.segment((start, stop), np.array(states[k]))[-1] @ product
         except ArithmeticError:
             break
+        shadow = flow.disturbed() @ shadow
         (norm,) = _norms(product[None], basis, bench.sizes)
-        if not norm < _HUGE or flow.noise > _LOST:
+        if not norm < _HUGE or flow.noise > _LOST or _are_apart(product, shadow, basis, bench.sizes):
             break
         found.append((stop, norm))
     return found
+
+
+def _are_apart(product: Matrix, shadow: Matrix, basis: Matrix, scale: Matrix) -> bool:
+    """Whether the growth is another one with other errors: contracting what grew before leaves what was wrong with it."""
+    if not product.size:
+        return False
+    one, other = _norms(np.stack([product, shadow]), basis, scale)
+    return abs(one - other) > _APART * one
 
 
 def _norms(products: Matrix, basis: Matrix, scale: Matrix) -> list[float]:
@@ -146,6 +163,8 @@ class _Flow:
         self.bench = bench
         self.nudges = _NUDGE * bench.sizes
         self.noise = 0.0
+        self._last: tuple[Matrix, Matrix] | None = None
+        self._draw = np.random.default_rng(1)
 
     def segment(self, times: Sequence[float], start: Matrix) -> Matrix:
         """d y(t) / d y(t_first) of the motion through ``start``, of shape (later times, NY, NY); ``noise`` is what rounding has in
@@ -155,14 +174,23 @@ class _Flow:
             ArithmeticError: a run fails.
         """
         size, middle = len(start), self._run(times, start)
-        found = np.empty((len(times) - 1, size, size))
+        found, errors = np.empty((len(times) - 1, size, size)), np.zeros(size)
         self.noise = 0.0
         for i in range(size):
-            found[:, :, i], noise = self._column(times, start, middle, i)
-            self.noise = max(self.noise, noise)
+            found[:, :, i], bend, noise = self._column(times, start, middle, i)
+            self.noise, errors[i] = max(self.noise, noise), max(bend, noise, _LEAST_ERROR)
+        self._last = found[-1], errors
         return found
 
-    def _column(self, times: Sequence[float], start: Matrix, middle: Matrix, i: int) -> tuple[Matrix, float]:
+    def disturbed(self) -> Matrix:
+        """The derivative over the last segment with other errors, of the size that its columns have."""
+        assert self._last is not None
+        derivative, errors = self._last
+        sizes = self.bench.sizes[:, None]
+        largest = np.max(np.abs(derivative) / sizes, axis=0)
+        return np.asarray(derivative + sizes * largest * errors * self._draw.uniform(-1.0, 1.0, derivative.shape))
+
+    def _column(self, times: Sequence[float], start: Matrix, middle: Matrix, i: int) -> tuple[Matrix, float, float]:
         nudge, tried = np.zeros(len(start)), dict[float, tuple[Matrix, float, float]]()
         for _ in range(_TRIALS):
             h = nudge[i] = self.nudges[i]
@@ -179,8 +207,7 @@ class _Flow:
             self.nudges[i] = other
         best = min(tried, key=lambda h: max(tried[h][1], tried[h][2]))
         self.nudges[i] = best
-        derivative, _, noise = tried[best]
-        return derivative, noise
+        return tried[best]
 
     def _run(self, times: Sequence[float], start: Matrix) -> Matrix:
         """The states at the later times."""
