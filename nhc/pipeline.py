@@ -199,19 +199,6 @@ def compare(source: Source) -> Certificate:
     return certify(resolve(decode(source)))
 
 
-def check_emitted(source: Source) -> dict[str, bool | None]:
-    """By formulation that applies, whether the emitted rates solve its equations, decided exactly; None where a run solves them.
-
-    Raises:
-        SpecError: the spec has errors.
-    """
-    from nhc.mechanics.choosing.choose import applicable
-    from nhc.program.emitted_rates import solve_equations
-
-    system = resolve(decode(source))
-    return {f.name: solve_equations(equations_of(system, f), f) for f in applicable(system)}
-
-
 def check_certificate(source: Source, text: str) -> list[str]:
     """What is wrong with a certificate that was written for this spec; nothing where it holds.
 

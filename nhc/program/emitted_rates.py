@@ -3,9 +3,23 @@
 from __future__ import annotations
 
 from nhc.algebra.exact.modular import are_zero
+from nhc.diagnostics import Source
+from nhc.language import decode
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choosing.choose import Formulation
+from nhc.mechanics.choosing.choose import Formulation, applicable
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolving.resolve import resolve
 from nhc.program.planning.planner import Planner
+
+
+def check_emitted(source: Source) -> dict[str, bool | None]:
+    """By formulation that applies to a spec, whether the emitted rates solve its equations; None where a run solves them.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec has errors.
+    """
+    system = resolve(decode(source))
+    return {f.name: solve_equations(equations_of(system, f), f) for f in applicable(system)}
 
 
 def solve_equations(equations: Equations, formulation: Formulation) -> bool | None:

@@ -11,7 +11,7 @@ from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.language import read
 from nhc.mechanics.trees.sphere import Sphere
-from nhc.pipeline import check_emitted
+from nhc.program.emitted_rates import check_emitted
 from tests.numeric.test_spheres import hanging
 from tests.support import ROOT
 

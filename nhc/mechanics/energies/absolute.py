@@ -20,9 +20,12 @@ from nhc.mechanics.energies.squares import squares_of
 from nhc.mechanics.system import System
 
 
-def complete_squares(system: System) -> Node | None:
-    """T as a sum of squares, the shortest one that is found, by joints or by links; what comes out is T by the exact test."""
-    g, found = system.graph, [squares_of(system)]
+def complete_squares(system: System, *, longer: bool = False) -> Node | None:
+    """T as a sum of squares, the shortest one that is found, by joints or by links; what comes out is T by the exact test.
+
+    ``longer``: T is one already, and may become a little longer where that says that a mass is a point.
+    """
+    g, found = system.graph, [squares_of(system, longer=longer)]
     for other, back in _by_links(system):
         made = squares_of(other)
         if made is not None:

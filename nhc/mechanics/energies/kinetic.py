@@ -138,7 +138,7 @@ def energy_as_squares(system: System) -> Node:
         if written or (may and _has_lone_points(system, degree)):
             from nhc.mechanics.energies.absolute import complete_squares  # here, for few specs need it
 
-            memo[system.T] = complete_squares(system) or system.T
+            memo[system.T] = complete_squares(system, longer=not written) or system.T
     return memo[system.T]
 
 

@@ -50,12 +50,12 @@ class Square:
     of: int
 
 
-def squares_of(system: System) -> tuple[Node, Node] | None:
+def squares_of(system: System, *, longer: bool = False) -> tuple[Node, Node] | None:
     """T as a sum of squares, as far as it seems one, and the same with squares of points that masses without products are at; None
     where that is not shorter, or says nothing else, or T is no polynomial of degree two.
     """
     with suppress(TooLarge):
-        return _Energy(system).complete()
+        return _Energy(system).complete(_LONGER if longer else 1.0)
     return None
 
 
@@ -70,13 +70,13 @@ class _Energy:
         self.parameters = g.mask(system.p)
         self.names = Names(system)
 
-    def complete(self) -> tuple[Node, Node] | None:
+    def complete(self, most: float) -> tuple[Node, Node] | None:
         g, system = self.graph, self.system
         peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
         peeled = {mass: ([*map(self._begin_at_one, squares)], rest) for mass, (squares, rest) in peeled.items()}
         made = self._assemble(peeled)
         size, before = count(g, [made]), count(g, [system.T])
-        if size > _LONGER * before:
+        if size > most * before or (size == before and most == 1.0):
             return None
         known = [square for squares, _ in peeled.values() for square in squares]
         begun = {mass: self._begin(mass, rest, known) for mass, (_, rest) in peeled.items()}

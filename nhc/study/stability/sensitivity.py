@@ -7,8 +7,10 @@ is that of several lengths of the scene, as far as that is cheap: what comes lat
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 from operator import itemgetter
 
@@ -78,9 +80,11 @@ def sensitivity(bench: Bench, lengths: float = _LONGEST) -> Sensitivity:
                 f"what has grown shrinks again by more than differences of runs tell, at t = {bench.times[last]:.6g}"
             )
     plain = float(np.linalg.norm(product, 2)) if product.size else 0.0
-    later = _later(flow, min(lengths, _LONGEST), product, shadow, basis)
+    later, cut = _later(flow, min(lengths, _LONGEST), product, shadow, basis)
     whole = [*times, *(t for t, _ in later)]
     law = find_law(whole, [*norms, *(norm for _, norm in later)], bench.duration)
+    if cut and not law.seen and math.isfinite(law.horizon):
+        law = replace(law, horizon=math.nan)  # it may turn just there
     return Sensitivity(tuple(times), tuple(norms), plain, *largest, law)
 
 
@@ -90,18 +94,22 @@ def _looks(bench: Bench, start: float, stop: float) -> list[float]:
     return [start, *inside[:: 1 + len(inside) // _INSIDE], stop]
 
 
-def _later(flow: _Flow, lengths: float, product: Matrix, shadow: Matrix, basis: Matrix) -> list[tuple[float, float]]:
-    """(time, norm) beyond the scene, for as long as the motion goes on and it is cheap."""
+def _later(
+    flow: _Flow, lengths: float, product: Matrix, shadow: Matrix, basis: Matrix
+) -> tuple[list[tuple[float, float]], bool]:
+    """(time, norm) beyond the scene, for as long as the motion goes on and it is cheap; whether it ends where the growth is told
+    no further.
+    """
     bench = flow.bench
     most = _EFFORT if bench.model.compiled else _EFFORT_INTERPRETED
     lengths = min(lengths, most / (2.0 * len(bench.ends) * len(bench.job.y) ** 2))
     count = int((lengths - 1.0) * _SEGMENTS)
     if count < _SEGMENTS or not product.size:
-        return []
+        return [], False
     end = bench.times[-1]
     times = [end + bench.duration * k / _SEGMENTS for k in range(count + 1)]
     states = bench.follow(times, bench.reference[-1].tolist()).states
-    found = []
+    found = list[tuple[float, float]]()
     for k, (start, stop) in enumerate(pairwise(times[: len(states)])):
         try:
             product = flow.segment((start, stop), np.array(states[k]))[-1] @ product
@@ -109,10 +117,12 @@ def _later(flow: _Flow, lengths: float, product: Matrix, shadow: Matrix, basis: 
             break
         shadow = flow.disturbed() @ shadow
         (norm,) = _norms(product[None], basis, bench.sizes)
-        if not norm < _HUGE or flow.noise > _LOST or _are_apart(product, shadow, basis, bench.sizes):
+        if flow.noise > _LOST or _are_apart(product, shadow, basis, bench.sizes):
+            return found, True
+        if not norm < _HUGE:
             break
         found.append((stop, norm))
-    return found
+    return found, False
 
 
 def _are_apart(product: Matrix, shadow: Matrix, basis: Matrix, scale: Matrix) -> bool:
