@@ -52,7 +52,11 @@ def read_recursion(
     found = _as_written(graph, forms, w, parameters, inner)
     if found is not None:
         found = _continue_single_terms(graph, found, parameters)
-    if found is None or sum(map(len, found.definitions)) <= _WIDE * len(found.definitions):
+    if found is None:
+        return None
+    heads = {next(iter(form)) for form in found.forms if form}
+    between = len(found.definitions) > sum(i >= found.rates for i in heads)  # sums that are no forms of T
+    if not between and sum(map(len, found.definitions)) <= _WIDE * len(found.definitions):
         return found
     other = _by_terms(graph, found)
     return min(found, other, key=lambda r: sum(map(len, r.definitions)))

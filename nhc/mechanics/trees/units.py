@@ -5,6 +5,8 @@ A unit is a product of parameters, chosen so that nothing is divided by a parame
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import Factor, common, split_parameters
 from nhc.mechanics.trees.recursion import Recursion, Weights
@@ -45,13 +47,15 @@ def _form_scales(g: Graph, recursion: Recursion, masses: dict[tuple[int, int], F
         inside = set(group)
         own = [masses[i, i] for i in group if (i, i) in masses]
         beyond = [
-            split_parameters(g, g.mul(a, factors[j].node(g)), mask)[0]
+            split_parameters(g, g.mul(a, factors[j].node(g)), mask)
             for i in group
             for j, a in users.get(i, ())
             if j not in inside
         ]
-        parts = [*(Factor(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own), *beyond]
-        shared = Factor(common(beyond).number, common(parts).powers)  # what continues 2 x' continues x' in other units
+        outer = [factor for factor, _ in beyond]
+        parts = [*(Factor(powers={base: n // 2 for base, n in mass.powers.items()}) for mass in own), *outer]
+        continued = all(g.value(rest) in (1, -1) for _, rest in beyond)  # 2 x' + ..., which is x' + ... in other units
+        shared = Factor(common(outer).number if continued else Fraction(1), common(parts).powers)
         for i in group:
             factors[i] = shared
     return factors

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:8e0b87496e4fd42f)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:a87fdbd634deda0f)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Equations of motion: voronec (I.4.9)
@@ -245,34 +245,33 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *restr
     const double z17 = 1.0 / z8;
     const double z18 = z16 * z17;
     const double z19 = z12 * (0.6 * z13 + z12 * z6) + (z15 - z16 * z18);
-    const double z20 = z3 * (0.3 + 0.5 * y_dot) + (x_dot * z12 + 0.4 * (c_t * s_t));
-    const double z21 = 0.1 * t;
-    const double z22 = c_z * c_t;
-    const double z23 = z * x_dot;
-    const double z24 = x * z20;
-    const double z25 = z2 * z20;
-    const double z26 = y_dot * c_z;
-    const double z27 = y_dot * (0.3 - 0.5 * (z2 * z26)) - (0.2 * z4 + (z10 - (0.05 * z20 + (0.1 * x + 3.0 *
-        z))));
-    const double z28 = x_dot * (0.3 * (s_z * z25) + (z21 - z2 * z23)) + z27;
-    const double z29 = s_z * z20;
-    const double z30 = x_dot * (0.01 * (c_t * z9) + 0.1 * (z11 * (z26 - y_2 * z29))) + (0.04 - 0.08 * (s_t *
-        s_t) + (z23 + z24) * (0.03 + 0.05 * y_dot));
-    const double z31 = x_dot * (0.6 * z22 + z2 * (20.0 * z24 - 3.0 * z29)) + (100.0 * (z6 * z30) + 2.0 * (z5
-        * c_t * z20));
-    const double z32 = 0.6 * z20 - (2.0 * y_2 - 0.4 * (x_dot * c_t)) - z3 * (0.5 * z28 + 0.05 * z31);
-    const double z33 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z25)) - z32;
-    const double z34 = 0.3 * (z25 * z29) - (0.4 * (y_dot * c_t - y_2 * s_t) + 3.0 * (z13 * z30) - z18 * z33);
-    const double z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * (z28 + 0.1 * z31) -
-        z34));
-    const double z36 = (z20 * (z21 - 0.06 * z22 - z2 * (2.0 * z23 - z24)) - z35) / z19;
+    const double z20 = 0.3 + 0.5 * y_dot;
+    const double z21 = z3 * z20 + (x_dot * z12 + 0.4 * (c_t * s_t));
+    const double z22 = 0.1 * t;
+    const double z23 = 0.06 * (c_z * c_t);
+    const double z24 = z * x_dot;
+    const double z25 = x * z21;
+    const double z26 = s_z * z21;
+    const double z27 = z2 * z21;
+    const double z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (z23 + 0.3 * (s_z * z27))));
+    const double z29 = y_dot * c_z;
+    const double z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26)) + (0.4 - 0.8 * (s_t * s_t) + z20
+        * (z24 + z25));
+    const double z31 = z21 * (0.05 + 0.2 * (z5 * c_t)) - (0.2 * z4 + (z10 - (0.1 * x + 3.0 * z + z6 * z30)));
+    const double z32 = z28 - (y_dot * (0.3 - 0.5 * (z2 * z29)) + z31);
+    const double z33 = 0.6 * z21 - (2.0 * y_2 - 0.4 * (x_dot * c_t)) + 0.5 * (z3 * z32) - y_dot * (0.2 * (z1
+        * c_t) + (0.2 + c_z * z27));
+    const double z34 = 0.3 * (z27 * z26) - (z18 * z33 + (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3 * (z13 *
+        z30)));
+    const double z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) - (z12 * z32 + z34));
+    const double z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19;
     /* (I.1.2) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
-    dydt[2] = z20; /* z' */
+    dydt[2] = z21; /* z' */
     /* (I.4.9) 11:4 */
     dydt[3] = z36; /* x'' */
-    dydt[4] = -(z18 * z36 + z17 * z33); /* y'' */
+    dydt[4] = z17 * z33 - z18 * z36; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[4]) <= DBL_MAX
         && fabs(z8) > 1e-13 * z8
@@ -364,34 +363,32 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z21 = s_z * z20;
     const double z22 = x_dot * z2;
     const double z23 = z21 * z22;
-    const double z24 = z * x_dot + x * z20;
-    const double z25 = 0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z24;
-    const double z26 = x_dot * (0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2 * z21));
-    const double z27 = y_dot * z24;
-    const double z28 = 0.1 * z25 + (0.1 * z26 + 0.05 * z27);
-    const double z29 = x_dot * c_t;
-    const double z30 = 100.0 * (z6 * z28) + 10.0 * (0.06 * (c_z * z29) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x *
-        z22)));
-    const double z31 = 3.0 * z23 - z30;
-    const double z32 = z * z2;
-    const double z33 = 0.3 * (z20 * (z2 * z21)) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 *
-        z32)));
-    const double z34 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
-        c_t - y_2 * s_t) - z33)));
-    const double z35 = 3.0 * z - (z11 - 0.05 * z20) - (0.2 * z4 + 0.5 * (y_dot * y_dot * z15) + x_dot * x_dot
-        * z32);
-    const double z36 = z35 + (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z23));
-    const double z37 = 0.1 * (z13 * z31) - (c_z * (0.06 * (c_t * z20) + 3.0 * (z2 * z28)) - (z34 - z13 *
-        z36));
-    const double z38 = 0.3 * z20;
-    const double z39 = z38 + (z38 - (0.2 * y_dot + (2.0 * y_2 + y_dot * (0.2 * (z1 * c_t) + z15 * z20))));
-    const double z40 = 0.05 * (z3 * z31) + (0.4 * z29 + z39 - 0.5 * (z3 * z36));
-    const double z41 = (z37 - z18 * z40) / z19;
-    const double z42 = z18 * z41 - z17 * z40;
+    const double z24 = x_dot * c_t;
+    const double z25 = z * x_dot + x * z20;
+    const double z26 = y_dot * z25;
+    const double z27 = 0.4 * (c_t * c_t - s_t * s_t) + (x_dot * (0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2
+        * z21)) + 0.3 * z25);
+    const double z28 = 0.5 * z26 + z27;
+    const double z29 = 0.06 * (c_z * z24) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z22)) + z6 * z28;
+    const double z30 = 0.3 * z23 - z29;
+    const double z31 = z * z2;
+    const double z32 = 0.3 * (z2 * z20 * z21) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z31 *
+        z20)));
+    const double z33 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
+        c_t - y_2 * s_t) - z32)));
+    const double z34 = 3.0 * z - (z11 - 0.05 * z20) - (0.2 * z4 + 0.5 * (y_dot * y_dot * z15) + x_dot * x_dot
+        * z31);
+    const double z35 = z34 + (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z23));
+    const double z36 = z13 * z30 - (c_z * (0.06 * (c_t * z20) + 0.3 * (z2 * z28)) - (z33 - z13 * z35));
+    const double z37 = 0.3 * z20;
+    const double z38 = z37 + (z37 - (0.2 * y_dot + (2.0 * y_2 + y_dot * (0.2 * (z1 * c_t) + z15 * z20))));
+    const double z39 = 0.5 * (z3 * z30) + (0.4 * z24 + z38 - 0.5 * (z3 * z35));
+    const double z40 = (z36 - z18 * z39) / z19;
+    const double z41 = z18 * z40 - z17 * z39;
     /* (I.4.9) */
-    qddot[0] = z41; /* x'' */
-    qddot[1] = -z42; /* y'' */
-    qddot[2] = z25 + (0.5 * (z27 - z3 * z42) + (z26 + z13 * z41)); /* z'' */
+    qddot[0] = z40; /* x'' */
+    qddot[1] = -z41; /* y'' */
+    qddot[2] = z27 + (z13 * z40 + 0.5 * (z26 - z3 * z41)); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z8) > 1e-13 * z8 && fabs(z19) > 1e-13 * z14)) {
         /* the mass matrix is singular, if z8 is nearly 0 */
@@ -506,29 +503,24 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z24 = x_dot * z2;
     const double z25 = z23 * z24;
     const double z26 = z22 + (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z25));
-    const double z27 = z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z24));
-    const double z28 = x_dot * c_t;
-    const double z29 = c_z * z28;
-    const double z30 = z * x_dot + x * z20;
-    const double z31 = 0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z30;
-    const double z32 = x_dot * (0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2 * z23));
-    const double z33 = y_dot * z30;
-    const double z34 = 0.1 * z31 + (0.1 * z32 + 0.05 * z33);
-    const double z35 = 3.0 * z25 - (100.0 * (z6 * z34) + 10.0 * (0.06 * z29 + z27));
-    const double z36 = 0.3 * (z20 * (z2 * z23)) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z20 *
-        z21)));
-    const double z37 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
-        c_t - y_2 * s_t) - z36)));
-    const double z38 = 0.1 * (z13 * z35) - (c_z * (0.06 * (c_t * z20) + 3.0 * (z2 * z34)) - (z37 - z13 *
-        z26));
-    const double z39 = 0.3 * z20;
-    const double z40 = z39 + (z39 - (0.2 * y_dot + (2.0 * y_2 + y_dot * (0.2 * (z1 * c_t) + z15 * z20))));
-    const double z41 = 0.05 * (z3 * z35) + (0.4 * z28 + z40 - 0.5 * (z3 * z26));
-    const double z42 = (z38 - z18 * z41) / z19;
-    const double z43 = 0.3 * (z15 * z42) + z6 * (z13 * z42 - 0.5 * (z3 * (z18 * z42 - z17 * z41)));
-    const double z44 = z26 + (z27 + 0.3 * (0.2 * z29 - z25) + z6 * (z31 + (z32 + 0.5 * z33)) + z43);
+    const double z27 = z * x_dot + x * z20;
+    const double z28 = x_dot * (0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2 * z23)) + 0.5 * (y_dot * z27);
+    const double z29 = z28 + (0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z27);
+    const double z30 = x_dot * c_t;
+    const double z31 = z6 * z29 + (0.06 * (c_z * z30) + z20 * (0.2 * (z5 * c_t) + 2.0 * (x * z24)));
+    const double z32 = 0.3 * z25 - z31;
+    const double z33 = 0.3 * (z2 * z20 * z23) + (0.1 * (t * z20) - x_dot * (0.2 * (z9 * c_t) + 2.0 * (z21 *
+        z20)));
+    const double z34 = 2.0 * (x * (0.2 * z + 0.5 * (z2 * (z20 * z20)))) - (0.1 * x_dot + (x + (0.4 * (y_dot *
+        c_t - y_2 * s_t) - z33)));
+    const double z35 = z13 * z32 - (c_z * (0.06 * (c_t * z20) + 0.3 * (z2 * z29)) - (z34 - z13 * z26));
+    const double z36 = 0.3 * z20;
+    const double z37 = z36 + (z36 - (0.2 * y_dot + (2.0 * y_2 + y_dot * (0.2 * (z1 * c_t) + z15 * z20))));
+    const double z38 = 0.4 * z30 + z37 - 0.5 * (z3 * z26) + 0.5 * (z3 * z32);
+    const double z39 = (z35 - z18 * z38) / z19;
+    const double z40 = 0.3 * (z15 * z39) + z6 * (z13 * z39 - 0.5 * (z3 * (z18 * z39 - z17 * z38)));
     /* (I.4.1) 18:5 */
-    lambda[0] = z44; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z26 - (z32 - z40); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z8) > 1e-13 * z8 && fabs(z19) > 1e-13 * z14)) {
         /* the mass matrix is singular, if z8 is nearly 0 */
@@ -622,135 +614,132 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z20 = z15 + (0.6 * (z13 * z16) - z17 * z19);
     const double z21 = 0.3 + 0.5 * y_dot;
     const double z22 = x_dot * z12;
-    const double z23 = 1.0 / z20;
-    const double z24 = z19 * z23;
-    const double z25 = z13 * z23 - 0.5 * (z3 * z24);
-    const double z26 = 0.3 * z3 + (x_dot * z13 + 0.5 * (y_dot * z3)) + 0.4 * (c_t * s_t);
-    const double z27 = 0.2 * z + 0.5 * (z2 * (z26 * z26));
-    const double z28 = z26 * z25;
-    const double z29 = z2 * z28;
-    const double z30 = c_z * z23;
-    const double z31 = 3.0 * (z2 * z30) + 10.0 * (z6 * z25);
-    const double z32 = 0.03 * z31 + 0.05 * (y_dot * z31);
-    const double z33 = s_z * z26;
-    const double z34 = x_dot * z2;
-    const double z35 = z33 * z34;
-    const double z36 = z * x_dot + x * z26;
-    const double z37 = y_dot * c_z;
-    const double z38 = 0.1 * (c_t * z10) + z12 * (z37 - y_2 * z33);
-    const double z39 = 0.1 * (0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z36) + (0.1 * (x_dot * z38) + 0.05 *
-        (y_dot * z36));
-    const double z40 = x_dot * c_t;
-    const double z41 = 0.2 * (z5 * c_t) + 2.0 * (x * z34);
-    const double z42 = 3.0 * z35 - (100.0 * (z6 * z39) + 10.0 * (0.06 * (c_z * z40) + z26 * z41));
-    const double z43 = z42 * z24;
-    const double z44 = z2 * y_dot * y_dot;
-    const double z45 = z2 * x_dot * x_dot;
-    const double z46 = 0.2 * z4 + 0.5 * (c_z * z44) + z * z45 - (3.0 * z - (z11 - 0.05 * z26));
-    const double z47 = z46 - (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z35));
-    const double z48 = z47 * z24;
-    const double z49 = 0.3 * z26;
-    const double z50 = z2 * z26;
-    const double z51 = 0.2 * (z1 * c_t) + c_z * z50;
-    const double z52 = 0.4 * z40 + (z49 + (z49 - (0.2 * y_dot + (2.0 * y_2 + y_dot * z51)))) + 0.5 * (z3 *
-        z47);
-    const double z53 = 0.05 * (z3 * z42) + z52;
-    const double z54 = 0.06 * (c_t * z26) + 3.0 * (z2 * z39);
-    const double z55 = 0.2 * (z9 * c_t) + 2.0 * (z * z50);
-    const double z56 = 0.4 * (y_dot * c_t - y_2 * s_t) - (0.3 * (z50 * z33) + (0.1 * (t * z26) - x_dot *
-        z55));
-    const double z57 = 0.1 * (z13 * z42) - (c_z * z54 - (2.0 * (x * z27) - (0.1 * x_dot + (x + z56)) + z13 *
-        z47));
-    const double z58 = z57 - z19 * z53;
-    const double z59 = z58 * (z23 * z23);
-    const double z60 = z23 * z53 - z17 * z59;
-    const double z61 = z18 * z18;
-    const double z62 = z60 * (z17 * z61);
-    const double z63 = z19 * z59;
-    const double z64 = z63 - z18 * z60;
-    const double z65 = 0.5 * (z13 * z64) + 0.25 * (z3 * z62);
-    const double z66 = 0.05 * z43 + 0.5 * z48 - 0.25 * (z7 * z62) - z6 * z65 - 0.15 * (z16 * z64);
-    const double z67 = s_z * z25;
-    const double z68 = x_dot * z23;
-    const double z69 = z2 * z68;
-    const double z70 = y_dot * z24;
-    const double z71 = z2 * z70;
-    const double z72 = x * z23;
-    const double z73 = 0.6 * z24 - (0.1 * (t * z23) - (0.05 * z25 - 2.0 * (z50 * z72))) + z41 * z25;
-    const double z74 = x_dot * z31;
-    const double z75 = z12 * z74;
-    const double z76 = 0.1 * (y_2 * z75) + 0.3 * (z50 * z23 + z34 * z25);
-    const double z77 = 0.3 * (z2 * (x_dot * z67 - z33 * z23)) + (2.0 * (z * z69) - (c_z * z71 - (0.06 * (c_t
-        * z30) + z73)) - s_z * z76);
-    const double z78 = x * z32 + z77;
-    const double z79 = z66 + 0.3 * z78 + 0.5 * (y_dot * z78);
-    const double z80 = 0.1 * z25 + (z23 - 2.0 * (z27 * z23)) + 2.0 * (x_dot * z29) + z26 * z32 + z * z79;
-    const double z81 = z13 * z59;
-    const double z82 = 0.2 * z25 - (0.2 * (c_t * z28) + z2 * (10.0 * (z39 * z25) - z3 * z65 + z13 * z81));
-    const double z83 = z14 * z59;
-    const double z84 = z83 - (0.1 * (z42 * z23) + 0.5 * (z7 * z64) - z83 + z23 * z47) + 0.6 * (z16 * z59);
-    const double z85 = 0.01 * (c_t * z74) + z12 * (z84 + x_dot * z78);
-    const double z86 = 3.0 * z25 - (z45 * z25 + 0.4 * z72) + 2.0 * (z26 * z69) + x_dot * z32 + x * z79;
-    const double z87 = c_t * z25;
-    const double z88 = 0.5 * (z44 * z25) - z54 * z23 + z26 * z71 - 0.1 * (y_dot * z75) - z2 * (0.6 * z81 -
-        0.15 * (z3 * z64));
-    const double z89 = x_dot * z50;
-    const double z90 = z86 - s_z * (0.06 * (x_dot * z87) - (z88 - y_2 * z85)) + c_z * (0.3 * (z89 * z25) -
-        z26 * z76 - (0.2 * (c_t * z70) + z2 * z62));
-    const double z91 = z * z34;
-    const double z92 = 0.3 * (z50 * z67);
-    const double z93 = 0.4 * (c_t * z24);
-    const double z94 = z * z32 - (z92 - (0.1 * (t * z25) + (z93 + z92) + z23 * z55) - 2.0 * (x * z29));
-    const double z95 = 2.0 * (z91 * z25) - (0.06 * (c_z * z87) + (0.1 * z23 + (z94 + 0.1 * (z38 * z31)) + z13
-        * z78));
-    const double z96 = z2 * z37;
-    const double z97 = 0.1 * (c_z * z75) + (0.3 * z25 + 0.4 * (c_t * z23) - z51 * z24 + 0.05 * (z36 * z31));
-    const double z98 = z18 + z19 * z24;
-    const double z99 = z13 * z24 - 0.5 * (z3 * z98);
-    const double z100 = z26 * z99;
-    const double z101 = z2 * z100;
-    const double z102 = c_z * z24;
-    const double z103 = 3.0 * (z2 * z102) + 10.0 * (z6 * z99);
-    const double z104 = 0.03 * z103 + 0.05 * (y_dot * z103);
-    const double z105 = z23 * z58 - z53 * z24 + z17 * z63;
-    const double z106 = z61 * (z53 - z17 * z105);
-    const double z107 = z19 * z63 + z18 * z105;
-    const double z108 = 0.5 * (z13 * z107) + 0.25 * (z3 * z106);
-    const double z109 = 0.05 * (z42 * z98) + 0.5 * (z47 * z98) - 0.25 * (z7 * z106) - z6 * z108 - 0.15 * (z16
-        * z107);
-    const double z110 = s_z * z99;
-    const double z111 = x_dot * z24;
-    const double z112 = z2 * z111;
-    const double z113 = y_dot * z98;
-    const double z114 = z2 * z113;
-    const double z115 = x * z24;
-    const double z116 = 0.6 * z98 - (0.1 * (t * z24) - (0.05 * z99 - 2.0 * (z50 * z115))) + z41 * z99;
-    const double z117 = x_dot * z103;
-    const double z118 = z12 * z117;
-    const double z119 = 0.1 * (y_2 * z118) + 0.3 * (z50 * z24 + z34 * z99);
-    const double z120 = 0.3 * (z2 * (x_dot * z110 - z33 * z24)) + (2.0 * (z * z112) - (c_z * z114 - (0.06 *
-        (c_t * z102) + z116)) - s_z * z119);
-    const double z121 = x * z104 + z120;
-    const double z122 = z109 + 0.3 * z121 + 0.5 * (y_dot * z121);
-    const double z123 = 0.1 * z99 + (z24 - 2.0 * (z27 * z24)) + 2.0 * (x_dot * z101) + z26 * z104 + z * z122;
-    const double z124 = z13 * z63;
-    const double z125 = 0.2 * z99 - (0.2 * (c_t * z100) + z2 * (10.0 * (z39 * z99) - z3 * z108 + z13 * z124));
-    const double z126 = z14 * z63;
-    const double z127 = z126 - (z48 + (0.1 * z43 + 0.5 * (z7 * z107) - z126)) + 0.6 * (z16 * z63) + x_dot *
+    const double z23 = 0.3 * z3 + (x_dot * z13 + 0.5 * (y_dot * z3)) + 0.4 * (c_t * s_t);
+    const double z24 = 1.0 / z20;
+    const double z25 = c_z * z24;
+    const double z26 = z19 * z24;
+    const double z27 = 0.5 * (z3 * z26) - z13 * z24;
+    const double z28 = 0.3 * (z2 * z25) - z6 * z27;
+    const double z29 = 0.3 * z28 + 0.5 * (y_dot * z28);
+    const double z30 = z2 * z23;
+    const double z31 = x_dot * z30;
+    const double z32 = z31 * z27;
+    const double z33 = 0.2 * z + 0.5 * (z2 * (z23 * z23));
+    const double z34 = x_dot * z24;
+    const double z35 = z2 * z34;
+    const double z36 = y_dot * z26;
+    const double z37 = z2 * z36;
+    const double z38 = x * z2;
+    const double z39 = 0.2 * (z5 * c_t) + 2.0 * (x_dot * z38);
+    const double z40 = x * z24;
+    const double z41 = z39 * z27 - (0.6 * z26 - (0.1 * (t * z24) + (0.05 * z27 + 2.0 * (z30 * z40))));
+    const double z42 = x_dot * z28;
+    const double z43 = z12 * z42;
+    const double z44 = x_dot * z2;
+    const double z45 = y_2 * z43 - 0.3 * (z44 * z27 - z30 * z24);
+    const double z46 = s_z * z27;
+    const double z47 = s_z * z23;
+    const double z48 = 2.0 * (z * z35) - (c_z * z37 - (0.06 * (c_t * z25) - z41)) - s_z * z45 - 0.3 * (z2 *
+        (x_dot * z46 + z47 * z24));
+    const double z49 = x * z29 + z48;
+    const double z50 = z47 * z44;
+    const double z51 = 0.1 * (c_t * z10) + z12 * (y_dot * c_z - y_2 * z47);
+    const double z52 = z * x_dot + x * z23;
+    const double z53 = x_dot * z51 + 0.5 * (y_dot * z52) + (0.4 * (c_t * c_t - s_t * s_t) + 0.3 * z52);
+    const double z54 = x_dot * c_t;
+    const double z55 = 0.3 * z50 - (z6 * z53 + (0.06 * (c_z * z54) + z23 * z39));
+    const double z56 = z2 * y_dot * y_dot;
+    const double z57 = z2 * x_dot * x_dot;
+    const double z58 = 0.2 * z4 + 0.5 * (c_z * z56) + z * z57 - (3.0 * z - (z11 - 0.05 * z23));
+    const double z59 = z58 - (0.1 * (x + t * x_dot) + 0.3 * (y_dot + z50));
+    const double z60 = z55 + z59;
+    const double z61 = 0.3 * z23;
+    const double z62 = 0.2 * (z1 * c_t) + z16 * z23;
+    const double z63 = 0.4 * z54 + (z61 + (z61 - (0.2 * y_dot + (2.0 * y_2 + y_dot * z62)))) + 0.5 * (z3 *
+        z59);
+    const double z64 = 0.5 * (z3 * z55) + z63;
+    const double z65 = 0.06 * (c_t * z23) + 0.3 * (z2 * z53);
+    const double z66 = z * z2;
+    const double z67 = 0.2 * (z9 * c_t) + 2.0 * (z66 * z23);
+    const double z68 = 0.4 * (y_dot * c_t - y_2 * s_t) - (0.3 * (z30 * z47) + (0.1 * (t * z23) - x_dot *
+        z67));
+    const double z69 = z13 * z55 - (c_z * z65 - (2.0 * (x * z33) - (0.1 * x_dot + (x + z68)) + z13 * z59));
+    const double z70 = z69 - z19 * z64;
+    const double z71 = z70 * (z24 * z24);
+    const double z72 = z24 * z64 - z17 * z71;
+    const double z73 = z18 * z18;
+    const double z74 = z72 * (z17 * z73);
+    const double z75 = z19 * z71;
+    const double z76 = z75 - z18 * z72;
+    const double z77 = 0.5 * (z13 * z76) + 0.25 * (z3 * z74);
+    const double z78 = 0.3 * z49 + (0.5 * (z26 * z60) - 0.25 * (z7 * z74) - z6 * z77 - 0.15 * (z16 * z76));
+    const double z79 = 0.5 * (y_dot * z49) + z78;
+    const double z80 = z23 * z29 - (2.0 * z32 + (0.1 * z27 - (z24 - 2.0 * (z33 * z24)))) + z * z79;
+    const double z81 = z23 * z27;
+    const double z82 = z13 * z71;
+    const double z83 = 0.2 * z27 - (0.2 * (c_t * z81) + z2 * (z53 * z27 + z3 * z77 - z13 * z82));
+    const double z84 = z14 * z71;
+    const double z85 = z84 - (z24 * z55 + 0.5 * (z7 * z76) - z84 + z24 * z59) + 0.6 * (z16 * z71);
+    const double z86 = 0.1 * (c_t * z42) + z12 * (x_dot * z49 + z85);
+    const double z87 = x_dot * z29 - (3.0 * z27 - (z57 * z27 - 0.4 * z40) - 2.0 * (z23 * z35)) + x * z79;
+    const double z88 = c_t * z27;
+    const double z89 = y_dot * z43 + (0.5 * (z56 * z27) + z65 * z24 - z23 * z37) + z2 * (0.6 * z82 - 0.15 *
+        (z3 * z76));
+    const double z90 = z87 + s_z * (0.06 * (x_dot * z88) - (z89 + y_2 * z86)) - c_z * (0.3 * z32 + z23 * z45
+        + (0.2 * (c_t * z36) + z2 * z74));
+    const double z91 = x_dot * z66;
+    const double z92 = 0.3 * (z30 * z46);
+    const double z93 = 0.4 * (c_t * z26);
+    const double z94 = z * z29 - (2.0 * (z38 * z81) - (z92 - (0.1 * (t * z27) - (z93 - z92) - z67 * z24)));
+    const double z95 = 2.0 * (z27 * z91) - (0.06 * (c_z * z88) - (z13 * z49 + (0.1 * z24 + (z51 * z28 +
+        z94))));
+    const double z96 = y_dot * z16;
+    const double z97 = c_z * z43 - (0.3 * z27 - 0.4 * (c_t * z24) + z62 * z26 - 0.5 * (z52 * z28));
+    const double z98 = c_z * z26;
+    const double z99 = z18 + z19 * z26;
+    const double z100 = 0.5 * (z3 * z99) - z13 * z26;
+    const double z101 = 0.3 * (z2 * z98) - z6 * z100;
+    const double z102 = 0.3 * z101 + 0.5 * (y_dot * z101);
+    const double z103 = z31 * z100;
+    const double z104 = x_dot * z26;
+    const double z105 = z2 * z104;
+    const double z106 = y_dot * z99;
+    const double z107 = z2 * z106;
+    const double z108 = x * z26;
+    const double z109 = z39 * z100 - (0.6 * z99 - (0.1 * (t * z26) + (0.05 * z100 + 2.0 * (z30 * z108))));
+    const double z110 = x_dot * z101;
+    const double z111 = z12 * z110;
+    const double z112 = y_2 * z111 - 0.3 * (z44 * z100 - z30 * z26);
+    const double z113 = s_z * z100;
+    const double z114 = 2.0 * (z * z105) - (c_z * z107 - (0.06 * (c_t * z98) - z109)) - s_z * z112 - 0.3 *
+        (z2 * (x_dot * z113 + z47 * z26));
+    const double z115 = x * z102 + z114;
+    const double z116 = z24 * z70 - z64 * z26 + z17 * z75;
+    const double z117 = z73 * (z64 - z17 * z116);
+    const double z118 = z19 * z75 + z18 * z116;
+    const double z119 = 0.5 * (z13 * z118) + 0.25 * (z3 * z117);
+    const double z120 = 0.3 * z115 + (0.5 * (z99 * z60) - 0.25 * (z7 * z117) - z6 * z119 - 0.15 * (z16 *
+        z118));
+    const double z121 = 0.5 * (y_dot * z115) + z120;
+    const double z122 = z23 * z102 - (2.0 * z103 + (0.1 * z100 - (z26 - 2.0 * (z33 * z26)))) + z * z121;
+    const double z123 = z23 * z100;
+    const double z124 = z13 * z75;
+    const double z125 = 0.2 * z100 - (0.2 * (c_t * z123) + z2 * (z53 * z100 + z3 * z119 - z13 * z124));
+    const double z126 = z14 * z75;
+    const double z127 = z126 - (z59 * z26 + (z55 * z26 + 0.5 * (z7 * z118) - z126)) + 0.6 * (z16 * z75);
+    const double z128 = 0.1 * (c_t * z110) + z12 * (x_dot * z115 + z127);
+    const double z129 = x_dot * z102 - (3.0 * z100 - (z57 * z100 - 0.4 * z108) - 2.0 * (z23 * z105)) + x *
         z121;
-    const double z128 = 0.01 * (c_t * z117) + z12 * z127;
-    const double z129 = 3.0 * z99 - (z45 * z99 + 0.4 * z115) + 2.0 * (z26 * z112) + x_dot * z104 + x * z122;
-    const double z130 = c_t * z99;
-    const double z131 = 0.5 * (z44 * z99) - z54 * z24 + z26 * z114 - 0.1 * (y_dot * z118) - z2 * (0.6 * z124
-        - 0.15 * (z3 * z107));
-    const double z132 = z129 - s_z * (0.06 * (x_dot * z130) - (z131 - y_2 * z128)) + c_z * (0.3 * (z89 * z99)
-        - z26 * z119 - (0.2 * (c_t * z113) + z2 * z106));
-    const double z133 = 0.3 * (z50 * z110);
-    const double z134 = z133 - (0.1 * (t * z99) + (0.4 * (c_t * z98) + z133) + z55 * z24) - 2.0 * (x * z101);
-    const double z135 = 0.06 * (c_z * z130) + (0.1 * z24 + (z * z104 - z134 + 0.1 * (z38 * z103)) + z13 *
-        z121);
-    const double z136 = 0.2 * z98 - (0.1 * (c_z * z118) + (z93 + 0.3 * z99 - z51 * z98 + 0.05 * (z36 *
-        z103)));
+    const double z130 = c_t * z100;
+    const double z131 = y_dot * z111 + (0.5 * (z56 * z100) + z65 * z26 - z23 * z107) + z2 * (0.6 * z124 -
+        0.15 * (z3 * z118));
+    const double z132 = z129 + s_z * (0.06 * (x_dot * z130) - (z131 + y_2 * z128)) - c_z * (0.3 * z103 + z23
+        * z112 + (0.2 * (c_t * z106) + z2 * z117));
+    const double z133 = 0.3 * (z30 * z113);
+    const double z134 = 2.0 * (z38 * z123) - (z133 - (0.1 * (t * z100) - (0.4 * (c_t * z99) - z133) - z67 *
+        z26));
+    const double z135 = 0.06 * (c_z * z130) - (z13 * z115 + (0.1 * z26 + (z51 * z101 + (z * z102 - z134))));
+    const double z136 = 0.2 * z99 - (c_z * z111 + (z93 - 0.3 * z100 - z62 * z99 + 0.5 * (z52 * z101)));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
@@ -759,16 +748,16 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     J[12] = x * z21 - y_2 * s_z * z22;
     J[13] = z13;
     J[14] = 0.5 * z3;
-    J[15] = 2.0 * (x * z82) - z80;
-    J[16] = 2.0 * z24 + 0.4 * (s_t * z23) + 0.1 * (z33 * z75) - c_z * z85;
-    J[17] = -(z90 + 2.0 * (z * (0.2 * (c_t * z68) + z2 * z59)));
-    J[18] = z95;
-    J[19] = z96 * z25 + (0.2 * z24 - z97 - 0.5 * (z3 * z78));
-    J[20] = z123 - 2.0 * (x * z125);
-    J[21] = c_z * z128 - (2.0 * z98 + 0.4 * (s_t * z24) + 0.1 * (z33 * z118));
-    J[22] = z132 + 2.0 * (z * (0.2 * (c_t * z111) + z2 * z63));
-    J[23] = z135 - 2.0 * (z91 * z99);
-    J[24] = -(z96 * z99 + (z136 - 0.5 * (z3 * z121)));
+    J[15] = -(z80 + 2.0 * (x * z83));
+    J[16] = 2.0 * z26 + 0.4 * (s_t * z24) + z47 * z43 - c_z * z86;
+    J[17] = -(z90 + 2.0 * (z * (0.2 * (c_t * z34) + z2 * z71)));
+    J[18] = -z95;
+    J[19] = 0.2 * z26 - z97 - 0.5 * (z3 * z49) - z27 * z96;
+    J[20] = z122 + 2.0 * (x * z125);
+    J[21] = c_z * z128 - (2.0 * z99 + 0.4 * (s_t * z26) + z47 * z111);
+    J[22] = z132 + 2.0 * (z * (0.2 * (c_t * z104) + z2 * z75));
+    J[23] = 2.0 * (z91 * z100) - z135;
+    J[24] = z96 * z100 - (z136 - 0.5 * (z3 * z115));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23]
         + J[24]) <= DBL_MAX
@@ -841,41 +830,41 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     /* the mass matrix is singular, if z19 is nearly 0 */
     bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(z19)), 1e-13 * (z15 + z6 * (z12 *
         z12)));
+    const affine_voronec_lanes z20 = 0.3 + 0.5 * y_dot;
     const affine_voronec_lanes c_t = cosine2;
-    const affine_voronec_lanes z20 = z3 * (0.3 + 0.5 * y_dot) + (x_dot * z12 + 0.4 * (c_t * s_t));
-    const affine_voronec_lanes z21 = 0.1 * t_;
-    const affine_voronec_lanes z22 = c_z * c_t;
-    const affine_voronec_lanes z23 = z * x_dot;
-    const affine_voronec_lanes z24 = x * z20;
-    const affine_voronec_lanes z25 = z2 * z20;
-    const affine_voronec_lanes z26 = y_dot * c_z;
-    const affine_voronec_lanes z27 = y_dot * (0.3 - 0.5 * (z2 * z26)) - (0.2 * z4 + (z10 - (0.05 * z20 + (0.1
-        * x + 3.0 * z))));
-    const affine_voronec_lanes z28 = x_dot * (0.3 * (s_z * z25) + (z21 - z2 * z23)) + z27;
-    const affine_voronec_lanes z29 = s_z * z20;
-    const affine_voronec_lanes z30 = x_dot * (0.01 * (c_t * z9) + 0.1 * (z11 * (z26 - y_2 * z29))) + (0.04 -
-        0.08 * (s_t * s_t) + (z23 + z24) * (0.03 + 0.05 * y_dot));
-    const affine_voronec_lanes z31 = x_dot * (0.6 * z22 + z2 * (20.0 * z24 - 3.0 * z29)) + (100.0 * (z6 *
-        z30) + 2.0 * (z5 * c_t * z20));
-    const affine_voronec_lanes z32 = 0.6 * z20 - (2.0 * y_2 - 0.4 * (x_dot * c_t)) - z3 * (0.5 * z28 + 0.05 *
-        z31);
-    const affine_voronec_lanes z33 = y_dot * (0.2 * (z1 * c_t) + (0.2 + c_z * z25)) - z32;
-    const affine_voronec_lanes z34 = 0.3 * (z25 * z29) - (0.4 * (y_dot * c_t - y_2 * s_t) + 3.0 * (z13 * z30)
-        - z18 * z33);
-    const affine_voronec_lanes z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) + (z12 * (z28 +
-        0.1 * z31) - z34));
-    const affine_voronec_lanes z36 = (z20 * (z21 - 0.06 * z22 - z2 * (2.0 * z23 - z24)) - z35) / z19;
+    const affine_voronec_lanes z21 = z3 * z20 + (x_dot * z12 + 0.4 * (c_t * s_t));
+    const affine_voronec_lanes z22 = 0.1 * t_;
+    const affine_voronec_lanes z23 = 0.06 * (c_z * c_t);
+    const affine_voronec_lanes z24 = z * x_dot;
+    const affine_voronec_lanes z25 = x * z21;
+    const affine_voronec_lanes z26 = s_z * z21;
+    const affine_voronec_lanes z27 = z2 * z21;
+    const affine_voronec_lanes z28 = x_dot * (z2 * (z24 - (2.0 * z25 - 0.3 * z26)) - (z22 + (z23 + 0.3 * (s_z
+        * z27))));
+    const affine_voronec_lanes z29 = y_dot * c_z;
+    const affine_voronec_lanes z30 = x_dot * (0.1 * (c_t * z9) + z11 * (z29 - y_2 * z26)) + (0.4 - 0.8 * (s_t
+        * s_t) + z20 * (z24 + z25));
+    const affine_voronec_lanes z31 = z21 * (0.05 + 0.2 * (z5 * c_t)) - (0.2 * z4 + (z10 - (0.1 * x + 3.0 * z
+        + z6 * z30)));
+    const affine_voronec_lanes z32 = z28 - (y_dot * (0.3 - 0.5 * (z2 * z29)) + z31);
+    const affine_voronec_lanes z33 = 0.6 * z21 - (2.0 * y_2 - 0.4 * (x_dot * c_t)) + 0.5 * (z3 * z32) - y_dot
+        * (0.2 * (z1 * c_t) + (0.2 + c_z * z27));
+    const affine_voronec_lanes z34 = 0.3 * (z27 * z26) - (z18 * z33 + (0.4 * (y_dot * c_t - y_2 * s_t) + 0.3
+        * (z13 * z30)));
+    const affine_voronec_lanes z35 = x * (1.0 - 0.4 * z) + (x_dot * (0.1 + 0.2 * (z14 * c_t)) - (z12 * z32 +
+        z34));
+    const affine_voronec_lanes z36 = (z21 * (z22 - z23 - z2 * (2.0 * z24 - z25)) - z35) / z19;
     /* (I.1.2) */
     const affine_voronec_lanes slope1 = x_dot;
     affine_voronec_put(dydt, slope1);
     const affine_voronec_lanes slope2 = y_dot;
     affine_voronec_put(dydt + 1 * stride, slope2);
-    const affine_voronec_lanes slope3 = z20;
+    const affine_voronec_lanes slope3 = z21;
     affine_voronec_put(dydt + 2 * stride, slope3);
     /* (I.4.9) 11:4 */
     const affine_voronec_lanes slope4 = z36;
     affine_voronec_put(dydt + 3 * stride, slope4);
-    const affine_voronec_lanes slope5 = -(z18 * z36 + z17 * z33);
+    const affine_voronec_lanes slope5 = z17 * z33 - z18 * z36;
     sum += slope5;
     affine_voronec_put(dydt + 4 * stride, slope5);
     affine_voronec_put(check, affine_voronec_mark(far + (sum - sum), bad));

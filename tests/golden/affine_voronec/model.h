@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:f67b01f8087b5e3b)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:6cbe3932b0443142)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Equations of motion: voronec (I.4.9)
@@ -19,14 +19,14 @@
  * 0: contact
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 56 +-, 100 *, 2 /, 4 calls
+ * rhs: 54 +-, 91 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
- * accelerations: 60 +-, 119 *, 2 /, 4 calls
+ * accelerations: 59 +-, 114 *, 2 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 5 +-, 10 *, 0 /, 3 calls
- * reactions: 65 +-, 126 *, 2 /, 4 calls
+ * reactions: 60 +-, 117 *, 2 /, 4 calls
  * energy: 18 +-, 37 *, 0 /, 4 calls
- * jacobian: 224 +-, 460 *, 2 /, 4 calls
+ * jacobian: 223 +-, 435 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Calls: t is the time; y has AFFINE_VORONEC_NY entries, p has AFFINE_VORONEC_NP;
