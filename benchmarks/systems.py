@@ -20,7 +20,7 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
     ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine``,
-    ``written_out_top`` or ``written_out_arm<N>``.
+    ``written_out_top``, ``written_out_arm<N>`` or ``flat_arm<N>``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -449,6 +449,33 @@ def _written_out_arm(count: int, _: bool) -> str:
     )
 
 
+def _flat_arm(count: int, _: bool) -> str:
+    """Links by the angles of their joints in a plane without weight, as in a robot that places parts."""
+    define, kinetic = list[str](), list[str]()
+    for k in range(1, count + 1):
+        angle, before = " + ".join(f"q{i}" for i in range(1, k + 1)), f"{k - 1} + " if k > 1 else ""
+        for axis, name in (("x", "cos"), ("y", "sin")):
+            foot = f"{axis}{before}" if before else ""
+            define += [f"{axis}{k}: {foot}l{k}*{name}({angle})", f"c{axis}{k}: {foot}s{k}*{name}({angle})"]
+        define.append(f"A{k}: {angle}")
+        kinetic.append(f"m{k}/2*(cx{k}'^2 + cy{k}'^2) + I{k}/2*A{k}'^2")
+    links = range(1, count + 1)
+    values = ", ".join(
+        f"m{k}: {1 + k / 10}, I{k}: {0.1 + k / 100}, l{k}: {0.5 + k / 10}, s{k}: {0.2 + k / 10}" for k in links
+    )
+    return _assemble(
+        f"flat_arm{count}",
+        [
+            ("coordinates", f"[{', '.join(f'q{k}' for k in links)}]"),
+            ("parameters", f"{{{values}}}"),
+            ("define", define),
+            ("T", " + ".join(kinetic)),
+            ("forces", "{" + ", ".join(f"q{k}: {k}" for k in links) + "}"),
+            _scene("q1: 0.3, q2: 0.5"),
+        ],
+    )
+
+
 def _bicycle(_: int, __: bool) -> str:
     given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
     text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
@@ -471,4 +498,5 @@ _FAMILIES = {
     "submarine": _submarine,
     "written_out_top": _written_out_top,
     "written_out_arm": _written_out_arm,
+    "flat_arm": _flat_arm,
 }

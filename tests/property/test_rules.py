@@ -52,6 +52,7 @@ WHOLE = {
     "short rows": "belt_egg",
     "uniform motion": "belt_egg",
     "detours": "smooth_tippe_top",
+    "directions": "flat_arm2",
     "spherical tops": "bowl",
     "order of pivots": "satellite3",
     "still pivots": "smooth_tippe_top",

@@ -108,6 +108,11 @@ RULES = (
         "mechanics/detour.py",
     ),
     Rule(
+        "directions",
+        "where T does not depend on the direction from which angles are counted, it is counted from the first of them",
+        "mechanics/invariant.py",
+    ),
+    Rule(
         "spherical tops",
         "the angular velocity of a body with three equal moments of inertia is solved for in space, and brought back to its axes",
         "mechanics/spherical_tops.py",

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:50bebe581795ff06)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:5f3470bb0a125466)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -470,21 +470,21 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double z14 = 2.0 * (z5 * z5 * (z12 * z13));
     const double z15 = z5 * (z9 - z2 * (z10 + z11 * c1)) - z14;
     const double z16 = z5 * (z9 - z2 * z10) - z14;
-    const double z17 = theta1_dot * l1;
-    const double z18 = z5 * (z17 * z12);
-    const double z19 = l2 * (z5 * (theta2_dot * z2));
-    const double z20 = z7 - z13 * (s1 * z5);
+    const double x1_dot = theta1_dot * l1;
+    const double z17 = z5 * (x1_dot * z12);
+    const double z18 = l2 * (z5 * (theta2_dot * z2));
+    const double z19 = z7 - z13 * (s1 * z5);
     /* (II.3) */
     J[2] = 1.0;
     J[7] = 1.0;
     J[8] = -k1 * (z4 + z15);
     J[9] = k1 * z16;
-    J[10] = -2.0 * (k1 * z18);
-    J[11] = -2.0 * (k1 * z19);
-    J[12] = k2 * (z20 - (z11 * s1 - c1 * z15));
-    J[13] = -k2 * (z20 + c1 * z16);
-    J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
-    J[15] = 2.0 * (k2 * (c1 * z19));
+    J[10] = -2.0 * (k1 * z17);
+    J[11] = -2.0 * (k1 * z18);
+    J[12] = k2 * (z19 - (z11 * s1 - c1 * z15));
+    J[13] = -k2 * (z19 + c1 * z16);
+    J[14] = 2.0 * (k2 * (x1_dot * s1 + c1 * z17));
+    J[15] = 2.0 * (k2 * (c1 * z18));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m2) > 0.0 * (J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15])

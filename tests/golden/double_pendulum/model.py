@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:a2eb469e5b758d13).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:5f10a6770be8c094).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -377,10 +377,10 @@ def jacobian(
         z14 = 2.0 * (z5 * z5 * (z12 * z13))
         z15 = z5 * (z9 - z2 * (z10 + z11 * c1)) - z14
         z16 = z5 * (z9 - z2 * z10) - z14
-        z17 = theta1_dot * l1
-        z18 = z5 * (z17 * z12)
-        z19 = l2 * (z5 * (theta2_dot * z2))
-        z20 = z7 - z13 * (s1 * z5)
+        x1_dot = theta1_dot * l1
+        z17 = z5 * (x1_dot * z12)
+        z18 = l2 * (z5 * (theta2_dot * z2))
+        z19 = z7 - z13 * (s1 * z5)
         J: list[float] = [
             0.0,
             0.0,
@@ -397,17 +397,17 @@ def jacobian(
             # (II.3)
             k1 * z16,
             # (II.3)
+            -2.0 * (k1 * z17),
+            # (II.3)
             -2.0 * (k1 * z18),
             # (II.3)
-            -2.0 * (k1 * z19),
+            k2 * (z19 - (z11 * s1 - c1 * z15)),
             # (II.3)
-            k2 * (z20 - (z11 * s1 - c1 * z15)),
+            -k2 * (z19 + c1 * z16),
             # (II.3)
-            -k2 * (z20 + c1 * z16),
+            2.0 * (k2 * (x1_dot * s1 + c1 * z17)),
             # (II.3)
-            2.0 * (k2 * (z17 * s1 + c1 * z18)),
-            # (II.3)
-            2.0 * (k2 * (c1 * z19)),
+            2.0 * (k2 * (c1 * z18)),
         ]
         _finish("jacobian", J)
         return [J[k3 : k3 + 4] for k3 in range(0, 16, 4)]
