@@ -434,19 +434,7 @@ def _written_out_arm(count: int, _: bool) -> str:
         ]
         kinetic += [f"m{k}/2*({' + '.join(terms)})", f"I{k}/2*{rate[k]}^2"]
         potential.append(f"m{k}*g*({' + '.join(f'{a}*sin({angle[1, i]})' for i, a in reach.items())})")
-    values = ", ".join(
-        f"m{k}: {1 + k / 10}, I{k}: {0.1 + k / 100}, l{k}: {0.5 + k / 10}, s{k}: {0.2 + k / 10}" for k in links
-    )
-    return _assemble(
-        f"written_out_arm{count}",
-        [
-            ("coordinates", f"[{', '.join(f'q{k}' for k in links)}]"),
-            ("parameters", f"{{g: 9.81, {values}}}"),
-            ("T", " + ".join(kinetic)),
-            ("V", " + ".join(potential)),
-            _scene("q1: 0.3, q2: 0.5"),
-        ],
-    )
+    return _arm_of_links(f"written_out_arm{count}", count, [("T", " + ".join(kinetic)), ("V", " + ".join(potential))])
 
 
 def _flat_arm(count: int, _: bool) -> str:
@@ -459,18 +447,21 @@ def _flat_arm(count: int, _: bool) -> str:
             define += [f"{axis}{k}: {foot}l{k}*{name}({angle})", f"c{axis}{k}: {foot}s{k}*{name}({angle})"]
         define.append(f"A{k}: {angle}")
         kinetic.append(f"m{k}/2*(cx{k}'^2 + cy{k}'^2) + I{k}/2*A{k}'^2")
-    links = range(1, count + 1)
-    values = ", ".join(
-        f"m{k}: {1 + k / 10}, I{k}: {0.1 + k / 100}, l{k}: {0.5 + k / 10}, s{k}: {0.2 + k / 10}" for k in links
-    )
+    forces = ", ".join(f"q{k}: {k}" for k in range(1, count + 1))
+    sections: list[Section] = [("define", define), ("T", " + ".join(kinetic)), ("forces", f"{{{forces}}}")]
+    return _arm_of_links(f"flat_arm{count}", count, sections)
+
+
+def _arm_of_links(name: str, count: int, sections: list[Section]) -> str:
+    """Its joints q, masses m, moments of inertia I, lengths l and distances s of the centres from the joints."""
+    links, gravity = range(1, count + 1), ["g: 9.81"] if any(key == "V" for key, _ in sections) else []
+    values = (f"m{k}: {1 + k / 10}, I{k}: {0.1 + k / 100}, l{k}: {0.5 + k / 10}, s{k}: {0.2 + k / 10}" for k in links)
     return _assemble(
-        f"flat_arm{count}",
+        name,
         [
             ("coordinates", f"[{', '.join(f'q{k}' for k in links)}]"),
-            ("parameters", f"{{{values}}}"),
-            ("define", define),
-            ("T", " + ".join(kinetic)),
-            ("forces", "{" + ", ".join(f"q{k}: {k}" for k in links) + "}"),
+            ("parameters", f"{{{', '.join([*gravity, *values])}}}"),
+            *sections,
             _scene("q1: 0.3, q2: 0.5"),
         ],
     )

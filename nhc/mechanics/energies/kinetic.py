@@ -242,14 +242,19 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
 
 def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
-    memo: dict[int, Kinetic] = system.graph.memory.setdefault("kinetic structures", {})
-    known = memo.get(id(system))
-    if known is None or known.system is not system:
-        known = memo[id(system)] = _structure(system, energy_as_squares(system))
-    return known
+    return _structure(system, energy_as_squares(system))
 
 
 def _structure(system: System, energy: Node) -> Kinetic:
+    """That of T as it is written, or as squares; each is made once."""
+    memo: dict[tuple[int, Node], Kinetic] = system.graph.memory.setdefault("kinetic structures", {})
+    known = memo.get((id(system), energy))
+    if known is None or known.system is not system:
+        known = memo[id(system), energy] = _read_structure(system, energy)
+    return known
+
+
+def _read_structure(system: System, energy: Node) -> Kinetic:
     g = system.graph
     atoms = _forms_of(system, energy)
     mask = g.mask(system.v)

@@ -61,9 +61,8 @@ def position_of(system: System, form: Node) -> Node | None:
         for symbol, coefficient in zip(symbols, (*coefficients, constant), strict=True):
             for monomial, c in polynomial(g, g.sub(coefficient, derivative(g, place, symbol)), _TERMS).items():
                 term = _integral(g, monomial, symbol)
-                if term is None or any(
-                    g.deps[f] & done for f, _ in monomial
-                ):  # what is left of an exact form holds none of these
+                # what is left of an exact form holds none of the coordinates before
+                if term is None or any(g.deps[f] & done for f, _ in monomial):
                     return None
                 found.append(g.mul_number(c, term))
             place = g.sum(found)
