@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from nhc.mechanics.certificates.certificate import Certificate
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
+    from nhc.program.validation.validate import Kept
     from nhc.simulate.changes import Changes
     from nhc.study.chart.case import Study
     from nhc.study.chart.fidelity import Comparison
@@ -188,15 +189,15 @@ def check(source: Source, *, explain: bool = True) -> Report:
     return Report(bag.diagnostics, facts.lines, facts.data)
 
 
-def compare(source: Source) -> Certificate:
-    """Whether all formulations agree on a spec, decided exactly.
+def compare(source: Source) -> tuple[Certificate, dict[str, Kept]]:
+    """Whether all formulations agree on a spec, and whether the functions of their programs keep what they promise: exactly.
 
     Raises:
         SpecError: the spec has errors.
     """
-    from nhc.mechanics.certificates.certificate import certify
+    from nhc.program.validation.validate import certify_programs
 
-    return certify(resolve(decode(source)))
+    return certify_programs(resolve(decode(source)))
 
 
 def check_certificate(source: Source, text: str) -> list[str]:

@@ -15,6 +15,7 @@ from nhc.cli.write import check_place, deliver
 
 if TYPE_CHECKING:
     from nhc.mechanics.certificates.certificate import Certificate, Rejection
+    from nhc.program.validation.validate import Kept
 
 LARGEST_CERTIFICATE = 64 * MIB
 
@@ -69,11 +70,10 @@ def command(
     source = open_spec(spec)
     from nhc import pipeline
     from nhc.mechanics.certificates.file import is_sound, to_data, write
-    from nhc.program.emitted_rates import check_emitted
 
     if old is not None:
         return _check(pipeline.check_certificate(source, _read(old)), old)
-    made, emitted = pipeline.compare(source), check_emitted(source)
+    made, emitted = pipeline.compare(source)
     if as_json:
         data = {**to_data(made, source.text), "emitted": emitted}
         put_json("nhc.compare/1", {key: data[key] for key in data if key not in ("schema", "nhc")})
@@ -81,7 +81,8 @@ def command(
         _print(made, emitted)
     if certificate is not None:
         deliver(write(made, source.text), certificate, force=force)
-    return Exit.DONE if is_sound(made) and False not in emitted.values() else Exit.FAILED
+    kept = all(False not in functions.values() for functions in emitted.values())
+    return Exit.DONE if is_sound(made) and kept else Exit.FAILED
 
 
 def _compare_two(spec: str, other: str, maps: tuple[str, ...], as_json: bool) -> int:
@@ -114,7 +115,7 @@ def _check(wrong: list[str], path: str) -> int:
     return Exit.FAILED
 
 
-def _print(made: Certificate, emitted: dict[str, bool | None]) -> None:
+def _print(made: Certificate, emitted: dict[str, Kept]) -> None:
     from nhc.mechanics.certificates.file import power_of_ten
 
     names = len(made.agreements)
@@ -142,15 +143,22 @@ def _print(made: Certificate, emitted: dict[str, bool | None]) -> None:
         put_text(f"  {r.name:{width}}  {_fate(r, made.is_far(r))}")
 
 
-def _emitted(emitted: dict[str, bool | None]) -> list[str]:
+def _emitted(emitted: dict[str, Kept]) -> list[str]:
     """Whether emitted code does what the equations say."""
-    lines, held = [], [name for name, holds in emitted.items() if holds]
-    if held:
-        lines.append(f"emitted code: the rates solve the equations of {', '.join(held)}, exactly")
-    for name in (name for name, holds in emitted.items() if holds is False):
-        lines.append(
-            f"emitted code: the rates of {name} do NOT solve its equations, which is an error of nhc; use another formulation"
-        )
+    held = [name for name, functions in emitted.items() if set(functions.values()) == {True}]
+    names = dict.fromkeys(function for name in held for function in emitted[name])
+    lines = [f"emitted code does exactly what these equations say ({', '.join(held)}):", f"  {', '.join(names)}"]
+    lines = lines if held else []
+    for name, functions in emitted.items():
+        broken = [function for function, holds in functions.items() if holds is False]
+        if broken:
+            lines.append(
+                f"emitted code: {', '.join(broken)} of {name} do NOT give what its equations say, which is an error of nhc;"
+                " use another formulation"
+            )
+        unknown = [function for function, holds in functions.items() if holds is None]
+        if unknown:
+            lines.append(f"emitted code: not decided for {', '.join(unknown)} of {name}: no point was found to look at")
     return lines
 
 

@@ -22,6 +22,7 @@ from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.exact.signs import Signs, may_hold, points_for
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.walks import reachable
+from nhc.mechanics.associate import Equations
 from nhc.mechanics.certificates.claims import (
     Claim,
     Velocities,
@@ -33,7 +34,7 @@ from nhc.mechanics.certificates.claims import (
     wrong_claims,
 )
 from nhc.mechanics.certificates.distances import Distance, measure, states_of
-from nhc.mechanics.choosing.choose import applicable
+from nhc.mechanics.choosing.choose import Formulation, applicable
 from nhc.mechanics.energies.kinetic import kinetic_structure
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import Frame, coordinate_frame
@@ -133,16 +134,25 @@ def log10_of_passing(degree: int, signs: int, primes: Sequence[int]) -> float:
     return sum(min(0.0, max(least, x)) for x in logs)
 
 
-def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
-    """Compare every formulation that applies.
+Derived = Sequence[tuple[Formulation, Equations]]
+
+
+def derive_all(system: System) -> Derived:
+    """The equations of every formulation that applies."""
+    kinetic = kinetic_structure(system)
+    return [(formulation, equations_of(system, formulation, kinetic)) for formulation in applicable(system)]
+
+
+def certify(system: System, points: int = POINTS, seed: int = 1, derived: Derived | None = None) -> Certificate:
+    """Compare every formulation that applies; ``derived`` are their equations where they are known.
 
     Raises:
         nhc.algebra.exact.modular.Unlucky: no regular point was found in the field.
     """
-    formulations = applicable(system)
-    kinetic = kinetic_structure(system)
+    derived = derive_all(system) if derived is None else derived
+    formulations = [formulation for formulation, _ in derived]
     reference = reference_claim(system)
-    claims = [formulation_claim(equations_of(system, f, kinetic)) for f in formulations]
+    claims = [formulation_claim(equations) for _, equations in derived]
     wrongs = wrong_claims(system, formulations)
     base = _base_frame(system, [f.frame for f in formulations if f.name == "voronec"])
     velocities = admissible_velocities(system, base, formulations)

@@ -149,9 +149,10 @@ def _solve_densely(planner: PlannerBase) -> Slopes:
         if len(planner.kept_w) * sum(_cost(g, sweep) for sweep in swept.sweeps) > LONGEST:
             return swept
     columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
-    symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
-    solves = (*planner.solves, planner.plan_dense_solve(matrix, columns, symbols))
-    return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
+    held = {j: [g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(y)) if any(columns[j])}
+    solves = (*planner.solves, planner.plan_dense_solve(matrix, [columns[j] for j in held], list(held.values())))
+    rows = tuple(tuple(held[j][k] if j in held else g.zero for j in range(len(y))) for k in planner.kept_w)
+    return Slopes(rows, (), solves if held else planner.solves)
 
 
 def _sweep_densely(

@@ -1,0 +1,1 @@
+"""Do the functions of a program compute what the equations say?"""
