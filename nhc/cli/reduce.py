@@ -17,10 +17,11 @@ from nhc.cli.options import (
 )
 from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec, take_first_scene
-from nhc.cli.terminal import put_json, put_text
+from nhc.cli.terminal import Exit, put_json, put_text
 
 if TYPE_CHECKING:
     from nhc.program.scene_model import SceneModel, Tried
+    from nhc.program.validation.validate import Kept
 
 
 @verb(
@@ -83,11 +84,14 @@ def command(
     if tolerance is not None:
         return approximate(source, options, tolerance, output, chart, force, as_json)
     made = reduce_scene(source, options)
+    from nhc.program.validation.scenes import validate_scene
+
+    kept = validate_scene(made)
     if as_json:
-        put_json("nhc.reduce/1", {**_data(made), "changes": list(changes.notes)})
+        put_json("nhc.reduce/1", {**_data(made), "exact": kept, "changes": list(changes.notes)})
     else:
-        _print(made, changes.notes)
-    return 0
+        _print(made, kept, changes.notes)
+    return Exit.FAILED if False in kept.values() else Exit.DONE
 
 
 def _data(made: SceneModel) -> dict[str, Any]:
@@ -120,7 +124,7 @@ def _data(made: SceneModel) -> dict[str, Any]:
     }
 
 
-def _print(made: SceneModel, notes: tuple[str, ...]) -> None:
+def _print(made: SceneModel, kept: Kept, notes: tuple[str, ...]) -> None:
     reduction = made.reduction
     put_text(f"{made.system.name}, scene {made.scene.name}: needs {', '.join(c.name for c in reduction.outputs)}")
     for note in notes:
@@ -137,9 +141,24 @@ def _print(made: SceneModel, notes: tuple[str, ...]) -> None:
     quadratures = [reduction.names[i] for i in reduction.kept if i not in reduction.driving]
     if quadratures and len(reduction.kept) > 1:
         put_text(f"by quadrature, nothing else depends on them: {', '.join(quadratures)}")
+    for line in _verdicts(kept):
+        put_text(line)
     put_text("tried (cost: operations, with weights for divisions, functions and entries of the state)")
     for k, tried in enumerate(made.tried):
         put_text(f"  {'*' if k == made.chosen else ' '} {_trial(tried)}")
+
+
+def _verdicts(kept: Kept) -> list[str]:
+    """Whether the functions of the model give what the full equations give."""
+    groups = {
+        verdict: ", ".join(name for name, found in kept.items() if found is verdict) for verdict in (True, False, None)
+    }
+    words = {
+        True: "exact at every state: {}",
+        False: "NOT what the full equations give: {}, which is an error of nhc; use `nhc emit` without `--scene`",
+        None: "not decided, for no point was found to look at: {}",
+    }
+    return [words[verdict].format(names) for verdict, names in groups.items() if names]
 
 
 def _size(state: tuple[str, ...], operations: int) -> str:

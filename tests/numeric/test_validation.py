@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -17,10 +17,13 @@ from nhc.mechanics.choosing.choose import applicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.trees.sphere import Sphere
-from nhc.pipeline import compare, model
+from nhc.pipeline import Options, compare, model, reduce_scene
 from nhc.program.build import build_functions
 from nhc.program.ir import Binary, Function, Number, Result, Solve, Statement, Store, Sweep
 from nhc.program.planning.planner import Planner
+from nhc.program.planning.scene import ScenePlanner
+from nhc.program.reduced import build_scene_functions
+from nhc.program.validation.scenes import validate_scene, validate_scene_functions
 from nhc.program.validation.validate import Kept, validate, validate_functions
 from tests.numeric.test_exchanges import CASES, case
 from tests.numeric.test_spheres import hanging
@@ -138,3 +141,44 @@ def test_an_error_on_the_way_is_told(
     assert "of lagrange do NOT give what its equations say" in capsys.readouterr().out
     assert main(["compare", str(path), "--json"]) == 1
     assert False in json.loads(capsys.readouterr().out)["emitted"]["lagrange"].values()
+
+
+# --- the models of scenes -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
+def test_of_every_scene_of_the_gallery(path: Path) -> None:
+    source = read(str(path))
+    for scene in decode(source).scenes:
+        for fold in (False, True):
+            made = reduce_scene(source, Options(scene=scene.name, reduce=True, fold=fold))
+            assert set(validate_scene(made).values()) == {True}
+
+
+@pytest.mark.parametrize(
+    ("name", "scene"), [("rolling_disk", "lean"), ("diff_drive", "spiral"), ("heavy_top", "waking")]
+)
+def test_whatever_is_changed_in_a_model_is_seen(name: str, scene: str) -> None:
+    source = read(str(ROOT / "specs" / f"{name}.yaml"))
+    planner = reduce_scene(source, Options(scene=scene, reduce=True)).planner
+    functions = build_scene_functions(planner, ())
+    for function in functions:
+        for body in _changes(function):
+            spoilt = [replace(f, body=body) if f is function else f for f in functions]
+            assert validate_scene_functions(planner, spoilt)[function.name] is False
+
+
+def test_a_model_that_is_wrong_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["reduce", "rolling_disk", "--scene", "lean"]) == 0
+    assert "exact at every state: rhs, state, outputs, jacobian" in capsys.readouterr().out
+
+    def without(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:
+        functions = build_scene_functions(planner, only)
+        return tuple(replace(f, body=next(_changes(f))) if f.name == "rhs" else f for f in functions)
+
+    monkeypatch.setattr("nhc.program.validation.scenes.build_scene_functions", without)
+    assert main(["reduce", "rolling_disk", "--scene", "lean", "--json"]) == 1
+    found = json.loads(capsys.readouterr().out)["exact"]
+    assert found["rhs"] is False and found["state"] is True
+    assert main(["reduce", "rolling_disk", "--scene", "lean"]) == 1
+    assert "NOT what the full equations give: rhs" in capsys.readouterr().out

@@ -49,20 +49,24 @@ def validate_functions(planner: Planner, functions: Sequence[Function]) -> Kept:
     kept = _validate(planner, own)
     standing = {function.name: function.otherwise for function in functions if function.otherwise is not None}
     if standing:
-        for name, holds in _validate(planner, own | standing).items():
-            kept[name] = kept[name] and holds
+        for name, too in _validate(planner, own | standing).items():
+            kept[name] = kept[name] and too
     return kept
 
 
 def _validate(planner: Planner, functions: dict[str, Function]) -> Kept:
-    places: dict[Place, Node] = {}
-    for loads in (planner.state_loads, planner.motion_loads):
-        places |= {(array, index): node for node, (array, index, _) in loads.items()}
-    promises = Promises(planner, Reader(planner.graph, functions, places)).collect()
-    return {promise.function: _holds(planner.graph, promise) for promise in promises}
+    promises = Promises(planner, Reader(planner.graph, functions, places_of(planner))).collect()
+    return {promise.function: holds(planner.graph, promise) for promise in promises}
 
 
-def _holds(graph: Graph, promise: Promise) -> bool | None:
+def places_of(planner: Planner) -> dict[Place, Node]:
+    """The symbols that stand at the places of the functions' arrays."""
+    loads = (*planner.state_loads.items(), *planner.motion_loads.items())
+    return {(array, index): node for node, (array, index, _) in loads}
+
+
+def holds(graph: Graph, promise: Promise) -> bool | None:
+    """Whether a function keeps its promise; None where no point was found at which that can be seen."""
     try:
         return _vanish_staged(graph, promise) if promise.stages else all(are_zero(graph, promise.nodes))
     except Unlucky:
