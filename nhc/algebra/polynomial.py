@@ -33,14 +33,6 @@ def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) 
     return Expander(graph, limit, circle).expand([node])[0]
 
 
-def argument_terms(graph: Graph, argument: Node) -> Polynomial:
-    """An angle or exponent as a polynomial; it is one term where that would be long."""
-    try:
-        return polynomial(graph, argument, limit=60, circle=False)
-    except TooLarge:
-        return {((argument, 1),): Fraction(1)}
-
-
 def _merge(m1: Monomial, m2: Monomial) -> Monomial:
     if not m1:
         return m2

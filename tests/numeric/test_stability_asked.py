@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, linearize, stability
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.linearization.motion import Request
+from nhc.study.linearization.units import Vector
 from nhc.study.stability.laboratory import Laboratory, Question
 from nhc.study.stability.table import lines
 
@@ -55,6 +58,15 @@ scenes:
   s: {initial: {x: 0.5, th: 0.2, th': 0.4, x': 0.3}, time: [0, 8]}
 """
 """A knife edge that the table throws out: after ten lengths of the scene it is 1e22 times as far away."""
+
+KEPLER = """nhc: 1
+system: kepler
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+V: -1/sqrt(x^2 + y^2)
+scenes:
+  near: {initial: {x: 1, y: 0, y': 0.01}, time: [0, 2]}
+"""
 
 SLOPE = """nhc: 1
 system: slope
@@ -159,3 +171,22 @@ def test_a_zero_that_rounding_has_parted_is_zero() -> None:
     found = linearize(Source("spec.yaml", TURNTABLE), Request("s"), Options(formulation="voronec")).linearisation
     assert [x.imag for x in eigenvalues(found)] == [0, 0, 0]
     assert eigenvalues(found) == pytest.approx([0, 0, 0], abs=1e-12)
+
+
+def test_the_top_of_a_growth_that_shrinks_again() -> None:
+    """Past a near collision, 2e8 times as large for a moment: the variational equations with the emitted Jacobian say so, too."""
+    found = look(KEPLER)
+    assert found.sensitivity is not None
+    bench, size = found.bench, len(found.bench.job.y)
+
+    def slopes(t: float, z: Vector) -> Vector:
+        y, flow = z[:size].tolist(), z[size:].reshape(size, size)
+        x, near = y[:2], math.hypot(*y[:2])
+        return np.concatenate([y[2:], [-x[0] / near**3, -x[1] / near**3], (bench.jacobian(t, y) @ flow).ravel()])
+
+    start = np.concatenate([bench.job.y, np.eye(size).ravel()])
+    solved = solve_ivp(slopes, bench.job.time, start, method="DOP853", rtol=1e-11, atol=1e-14)
+    scale = bench.sizes
+    norms = [np.linalg.norm(z[size:].reshape(size, size) / scale[:, None] * scale, 2) for z in solved.y.T]
+    assert found.sensitivity.largest == pytest.approx(max(norms), rel=0.03)
+    assert found.sensitivity.peak == pytest.approx(solved.t[int(np.argmax(norms))], abs=1e-4)

@@ -45,6 +45,11 @@ IDENTITIES = [
     ("tan(x + y)", "(tan(x) + tan(y))/(1 - tan(x)*tan(y))"),
     ("tan(x)^2 + 1", "1/cos(x)^2"),
     ("sin(x*y + x*z)", "sin(x*(y + z))"),
+    ("exp(cos(x - y))", "exp(cos(x)*cos(y) + sin(x)*sin(y))"),
+    ("exp(-cos(x + y)^2)", "exp(sin(x + y)^2 - 1)"),
+    ("sin(z*cos(2*x))", "sin(z - 2*z*sin(x)^2)"),
+    ("exp(sin(x - 3*y))", "exp(sin(x)*cos(3*y) - cos(x)*sin(3*y))"),
+    ("sin(x + sin(cos(y + z)))", "sin(x + sin(cos(y)*cos(z) - sin(y)*sin(z)))"),
     ("exp(x + y)", "exp(x)*exp(y)"),
     ("exp(-x)*exp(x)", "1"),
     ("exp(x/2)^2", "exp(x)"),
@@ -77,6 +82,7 @@ IDENTITIES = [
     ("max(x, y) + min(x, y)", "x + y"),
 ]
 NEAR_MISSES = [
+    ("exp(cos(x - y))", "exp(cos(x)*cos(y) - sin(x)*sin(y))"),
     ("sin(2*x)", "2*sin(x)"),
     ("sin(x + y)", "sin(x)*cos(y) - cos(x)*sin(y)"),
     ("sin(x)^2 + cos(y)^2", "1"),

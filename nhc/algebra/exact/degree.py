@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import lcm
 
+from nhc.algebra.arguments import argument_terms
 from nhc.algebra.exact.draw import stepwise_degree
 from nhc.algebra.exact.field import INVERSE
 from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import argument_terms
 from nhc.algebra.walks import reachable
 
 _WAVES = ("sin", "cos")

@@ -26,11 +26,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from copy import copy
 from math import lcm
 
+from nhc.algebra.arguments import argument_terms
 from nhc.algebra.evaluate import sign_of_constant
 from nhc.algebra.exact.residues import FULL_TURN, PRIMES, circle_point, part_of_turn, square_root, turn
 from nhc.algebra.expand import Monomial, Polynomial
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import ONE, argument_terms, leading_size
+from nhc.algebra.polynomial import ONE, leading_size
 from nhc.algebra.walks import reachable
 
 _HALF_TURN = FULL_TURN // 2

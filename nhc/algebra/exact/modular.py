@@ -154,11 +154,11 @@ def _vanishing(graph: Graph, nodes: Sequence[Node], count: int, seed: int) -> li
     try:
         rows = sample(graph, nodes, count, seed, QuickPoint) if nodes else []
     except Unlucky:
-        return [n for n in nodes if _vanishes_numerically(graph, n, seed)]
+        return [n for n in nodes if vanishes_numerically(graph, n, seed)]
     return [n for k, n in enumerate(nodes) if all(row[k] == 0 for row in rows)]
 
 
-def _vanishes_numerically(graph: Graph, node: Node, seed: int) -> bool:
+def vanishes_numerically(graph: Graph, node: Node, seed: int) -> bool:
     """For what has no field points (dozens of nested roots): zero to 40 of 60 digits at three real points.
 
     Where it is not real nothing is known, and what has no real point that was found is not taken for zero.

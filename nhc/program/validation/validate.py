@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from nhc.algebra.dense import Singular, solve_columns_modulo
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
 from nhc.algebra.exact.field import FieldPoint, Unlucky
-from nhc.algebra.exact.modular import are_zero, enough_points
+from nhc.algebra.exact.modular import are_zero, enough_points, vanishes_numerically
 from nhc.algebra.exact.primes import primes_of
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.associate import Equations
@@ -68,9 +68,15 @@ def places_of(planner: Planner) -> dict[Place, Node]:
 def holds(graph: Graph, promise: Promise) -> bool | None:
     """Whether a function keeps its promise; None where no point was found at which that can be seen."""
     try:
-        return _vanish_staged(graph, promise) if promise.stages else all(are_zero(graph, promise.nodes))
+        if promise.stages:
+            return _vanish_staged(graph, promise)
+        zero = are_zero(graph, promise.nodes)
     except Unlucky:
         return None
+    left = [node for node, vanishes in zip(promise.nodes, zero, strict=True) if not vanishes]
+    if left and all(vanishes_numerically(graph, node, 1) for node in left):
+        return None  # an identity that the field does not have
+    return not left
 
 
 def _vanish_staged(graph: Graph, promise: Promise) -> bool:

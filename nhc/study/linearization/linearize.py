@@ -275,10 +275,9 @@ def modes(made: Linearisation) -> list[Mode]:
     """The eigenvalues without the structural zeros, by falling real part; critical zeros come as zeros."""
     found = [Mode(0j, 0.0)] * (made.zeros - made.family)
     if len(made.core):
-        values, limits = _spectrum(made.core, len(made.full))
-        found += [
-            Mode(_clear(x, limit) / made.tick, limit / made.tick) for x, limit in zip(values, limits, strict=True)
-        ]
+        values, limits = _spectrum(made.core, len(made.full), float(np.linalg.norm(made.matrix, 2)))
+        joined = _join(values, limits)
+        found += [Mode(x / made.tick, limit / made.tick) for x, limit in zip(joined, limits, strict=True)]
     digits = made.tick
 
     def order(mode: Mode) -> tuple[float, float, float]:
@@ -287,30 +286,51 @@ def modes(made: Linearisation) -> list[Mode]:
     return sorted(found, key=order)
 
 
-def _clear(value: complex, limit: float) -> complex:
-    """A root that is twice the same comes as a pair that rounding has parted."""
-    return complex(value.real, 0.0 if abs(value.imag) <= limit else value.imag)
+def _join(values: NDArray[np.complex128], limits: Vector) -> list[complex]:
+    """Roots that are several times the same come as some that rounding has parted: their mean is known better than they are."""
+    left, found = list(range(len(values))), [complex(x) for x in values]
+    while left:
+        group = [left.pop(0)]
+        for i in group:  # which grows on the way
+            near = [j for j in left if abs(values[i] - values[j]) <= 2.0 * min(limits[i], limits[j])]
+            group += near
+            left = [j for j in left if j not in near]
+        if len(group) > 1:
+            mean = complex(np.mean(values[group]))
+            together = complex(mean.real, 0.0 if abs(mean.imag) <= max(limits[group]) else mean.imag)
+            for i in group:
+                found[i] = together
+    return found
 
 
-def _spectrum(core: Matrix, whole: int) -> tuple[NDArray[np.complex128], Vector]:
+def _spectrum(core: Matrix, whole: int, around: float) -> tuple[NDArray[np.complex128], Vector]:
     """Eigenvalues with the size of their error: that of the matrix, which comes from one of ``whole`` rows, times the eigenvalue's
     condition, which is 1 over the cosine between its left and right vectors; where several meet, the root of it (Wilkinson 1965,
     ch. 2; L. Elsner, Linear Algebra Appl. 71 (1985) 77).
+
+    ``around``: the norm of the matrix whose part the core is; its rounding is that of each entry, before the core is balanced.
     """
     scale = balance(core)
-    core = core * scale / scale[:, None]
-    values, right = np.linalg.eig(core)
-    size = float(np.linalg.norm(core, 2))
-    error = ROUNDING * max(len(core), whole) * size
+    even = core * scale / scale[:, None]
+    values, right = np.linalg.eig(even)
+    size = float(np.linalg.norm(even, 2))
+    limits = _limits(right, size, ROUNDING * max(len(core), whole) * size)
+    turned = _limits(right * scale[:, None], float(np.linalg.norm(core, 2)), _EPSILON * whole * around)
+    return np.asarray(values, dtype=np.complex128), np.maximum(limits, turned)
+
+
+def _limits(right: Matrix, size: float, error: float) -> Vector:
+    """What an error of a matrix of this size makes of its eigenvalues, by its right vectors, as columns."""
+    if not size:
+        return np.zeros(len(right))
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # vectors that are the same have an infinite condition
             condition = np.linalg.norm(np.linalg.inv(right), axis=1) * np.linalg.norm(right, axis=0)
     except np.linalg.LinAlgError:
-        condition = np.full(len(core), np.inf)
+        condition = np.full(len(right), np.inf)
     condition = np.where(np.isfinite(condition), condition, np.inf)
     several = np.where(condition < 1e9, (2 * size * error) ** (1 / 2), (4 * size**2 * error) ** (1 / 3))
-    errors = np.minimum(condition * error, several) if size else np.zeros(len(core))
-    return np.asarray(values, dtype=np.complex128), np.asarray(errors, dtype=np.float64)
+    return np.asarray(np.minimum(condition * error, several), dtype=np.float64)
 
 
 def eigenvalues(made: Linearisation) -> list[complex]:

@@ -202,15 +202,12 @@ class _Flow:
 
     def _column(self, times: Sequence[float], start: Matrix, middle: Matrix, i: int) -> tuple[Matrix, float, float]:
         nudge, tried = np.zeros(len(start)), dict[float, tuple[Matrix, float, float]]()
+        sizes = self.bench.sizes
         for _ in range(_TRIALS):
             h = nudge[i] = self.nudges[i]
             above, below = (self._run(times, start + sign * nudge) for sign in (1.0, -1.0))
-            sizes, change = self.bench.sizes, above - below
-            moved, bent, most = (
-                float(np.max(np.abs(x[-1]) / sizes)) for x in (change, above + below - 2.0 * middle, middle)
-            )
-            bend, noise = ((bent / moved) ** 2, _ROUNDING * most / moved) if moved else (0.0, 0.0)
-            tried[h] = change / (2.0 * h), bend, noise
+            bend, noise = _errors(above / sizes, middle / sizes, below / sizes)
+            tried[h] = (above - below) / (2.0 * h), bend, noise
             other = h / 10.0 if bend > noise else h * 10.0
             if max(bend, noise) <= _FINE or other in tried:
                 break
@@ -225,3 +222,17 @@ class _Flow:
         if outcome.kind != DONE:
             raise ArithmeticError(f"a run beside the scene fails at t = {outcome.t:.9g}: {self.bench.reason(outcome)}")
         return np.array(outcome.states[1:])
+
+
+def _errors(above: Matrix, middle: Matrix, below: Matrix) -> tuple[float, float]:
+    """How far a difference is off, relative to it: for the motion bends within it, and by rounding.
+
+    At its end, and where it is largest on the way: the tops of what grows and shrinks again may be sharp.
+    """
+    change = np.max(np.abs(above - below), axis=1)
+    bent = np.max(np.abs(above + below - 2.0 * middle), axis=1)
+    rounding = _ROUNDING * np.max(np.abs(middle), axis=1)
+    looks = [k for k in {len(change) - 1, int(np.argmax(change))} if change[k]]
+    return max(((bent[k] / change[k]) ** 2 for k in looks), default=0.0), max(
+        (rounding[k] / change[k] for k in looks), default=0.0
+    )
