@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from math import sqrt
 
 from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
@@ -84,14 +85,45 @@ def _estimate(s: Step, method: Collocation, jacobian: list[Vector]) -> float:
     for _ in range(2):
         right = resolve(factors, [s.h * f + combine(method.errors, s.k, i) for i, f in enumerate(slope)])
         s.errors = right
-        norm = sqrt(sum((x / a) ** 2 for x, a in zip(right, allowed, strict=True)) / n)
+        norm = _size(right, allowed)
         if norm < 1.0 or not s.first:
             return norm
-        try:
-            slope = s.rhs(s.t, [y + x for y, x in zip(s.y, right, strict=True)])
-        except ArithmeticError:
+        damped = _moved_slope(s, jacobian, factors, allowed, right, norm)
+        if damped is None:
             return norm
+        slope = damped
     return norm
+
+
+def _moved_slope(
+    s: Step,
+    jacobian: list[Vector],
+    factors: tuple[list[Vector], list[int]],
+    allowed: Vector,
+    errors: Vector,
+    norm: float,
+) -> Vector | None:
+    """The slope at the start moved by the errors, by which stiff parts of them are damped.
+
+    None where a jump lies on the way: the slope is another one than the derivative says, and damps nothing.  If it lies within half
+    of the error that is allowed, as where a motion starts at it, what comes after it counts.
+    """
+    moved = [combine(row, [[x] for x in errors], 0) for row in jacobian]
+    for part in (1.0, 0.5 / norm):
+        try:
+            slope = s.rhs(s.t, [y + part * x for y, x in zip(s.y, errors, strict=True)])
+        except ArithmeticError:
+            return None
+        bent = [s.h * (b - a - part * x) for a, b, x in zip(s.slope, slope, moved, strict=True)]
+        far = not _size(resolve(factors, bent), allowed) <= 1.0
+        if far == (part < 1.0):
+            return [f + (1.0 - part) * x for f, x in zip(slope, moved, strict=True)]
+    return None
+
+
+def _size(errors: Sequence[float], allowed: Sequence[float]) -> float:
+    """Relative to what is allowed."""
+    return sqrt(sum((x / a) ** 2 for x, a in zip(errors, allowed, strict=True)) / len(errors))
 
 
 def shape(s: Step, method: Collocation) -> list[Vector]:

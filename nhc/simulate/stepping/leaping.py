@@ -14,6 +14,8 @@ _CLOSE = 1e-3  # to an end: what an argument does between them is how it goes th
 _LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE, 1.0)
 # of the step, between two corners: closer ones may lie between two stages; closer still, they are one
 _APART, _SAME = 0.5, 1e-9
+_ROUNDING = 2.0**-50
+_FEW = 100.0  # times its rounding, what an argument is that is next to nothing
 
 
 class Placed(Model, Protocol):
@@ -34,9 +36,36 @@ def find_most(step: Step, model: Placed, task: Task) -> float:
         looks = [_look(step, model, x) for x in _LOOKS]
     except ArithmeticError:
         return inf
-    most, zeros, points = inf, list[float](), list[float]()
     courses = [_Course(values, *part) for values, part in zip(zip(*looks, strict=True), model.parts, strict=True)]
+    most = _judge(step, model, courses)
+    if most == 0.0 and any(c.part == 0.0 for c in courses):  # it may be rounding that goes to and fro
+        _measure_noise(step, model, courses)
+        most = _judge(step, model, courses)
+    return most
+
+
+def _measure_noise(step: Step, model: Placed, courses: Sequence[_Course]) -> None:
+    """What rounding of the state may change the arguments by at the start of the step."""
+    for k in range(len(step.y) + 1):
+        moved, t = list(step.y), step.t
+        if k < len(moved):
+            moved[k] *= 1.0 + _ROUNDING
+        else:
+            t *= 1.0 + _ROUNDING
+        try:
+            at = model.places(t, moved, step.p)
+        except ArithmeticError:
+            continue
+        for c, value in zip(courses, at, strict=True):
+            c.noise += abs(value - c.u)
+
+
+def _judge(step: Step, model: Placed, courses: Sequence[_Course]) -> float:
+    """As :func:`find_most`, by the courses of the arguments."""
+    most, zeros, points = inf, list[float](), list[float]()
     for c in courses:
+        if c.is_nothing():
+            continue
         if c.is_fast():
             return 0.0
         if c.part > 0.0 and c.b != 0.0:
@@ -57,7 +86,7 @@ def find_most(step: Step, model: Placed, task: Task) -> float:
             at = _look(step, model, x)
         except ArithmeticError:
             continue
-        if any(c.is_narrow(x, value) for c, value in zip(courses, at, strict=True)):
+        if any(not c.is_nothing() and c.is_narrow(x, value) for c, value in zip(courses, at, strict=True)):
             return 0.0
     return most
 
@@ -76,7 +105,7 @@ class _Course:
 
     def __init__(self, values: Sequence[float], part: float, least: float) -> None:
         u, after, later, third, middle, early, before, v = values
-        self.u, self.v, self.part, self.least = u, v, part, least
+        self.u, self.v, self.part, self.least, self.noise = u, v, part, least, 0.0
         self.a = (4.0 * after - 3.0 * u - later) / (2.0 * _CLOSE)
         self.b = (3.0 * v - 4.0 * before + early) / (2.0 * _CLOSE)
         self.bend = abs(u - 2.0 * after + later) / _CLOSE**2
@@ -90,11 +119,16 @@ class _Course:
         """By how much it may change in the step after this one."""
         return (self.part if self.v * self.b < 0.0 else 4.0 * self.part) * abs(self.v) + self.least
 
+    def is_nothing(self) -> bool:
+        """Whether it is a corner's, and zero but for rounding at both ends: steps of every length see the same there."""
+        return self.part == 0.0 and max(abs(self.u), abs(self.v)) < _FEW * self.noise
+
     def is_fast(self) -> bool:
         """Whether the step is too long for it by what it does at its ends and in the middle."""
         u, v, part, least = abs(self.u), abs(self.v), self.part, self.least
         if part == 0.0:
-            return self.off > 0.1 * max(u, v) or max(self.bend, self.bending) > 10.0 * max(u, v)
+            off, bend = self.off - 4.0 * self.noise, max(self.bend, self.bending) - 8.0 * self.noise / _CLOSE**2
+            return off > 0.1 * max(u, v) or bend > 10.0 * max(u, v)
         if u == 0.0 and least == 0.0:  # it leaves a root's zero, and does so alike in steps of every length
             return self.off > 0.0
         return (

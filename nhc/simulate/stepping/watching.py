@@ -76,9 +76,9 @@ def approaches(before: Sequence[float], after: Sequence[float], frames: tuple[in
 
 
 def find_change(before: Sequence[float], after: Sequence[float]) -> int:
-    """The index of the first watched value whose sign differs between ``before`` and ``after``; -1 if there is none."""
+    """The first watched value whose sign is the other one ``after``, or -1: zero is not yet the other one."""
     pairs = zip(before, after, strict=True)
-    return next((i for i, (a, b) in enumerate(pairs) if a != 0.0 and (a < 0.0) != (b < 0.0)), -1)
+    return next((i for i, (a, b) in enumerate(pairs) if a < 0.0 < b or b < 0.0 < a), -1)
 
 
 def keep_signs(before: Sequence[float], after: Sequence[float]) -> list[float]:
