@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from nhc.program.runs.limits import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
+from nhc.simulate.drifting import tell_energy
 from nhc.simulate.halving import REFERENCE, find_step
 from nhc.simulate.methods import is_adaptive
 from nhc.simulate.outcomes import describe_outcome, describe_valueless
@@ -148,6 +149,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
             f"{found.outcome.steps} steps, each held to {wanted:.2g}: in so many, errors may add up to more than the accuracy of"
             f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",
         )
+    notes += tell_energy(job, found.rows, tolerance if settings.step <= 0 else 0.0)
     return replace(found, seconds=seconds, notes=(*dict.fromkeys((*workshop.notes, *notes, *follower.notes)),))
 
 

@@ -75,7 +75,8 @@ class Resolver:
             try:
                 result = self._binary(part, result, right)
             except NumberTooLong:
-                result = self._refuse_number(part)
+                moves = part.op == "^" and self.graph.deps[result]
+                result = self._refuse_power(part) if moves else self._refuse_number(part)
             if not self.graph.deps[result]:
                 result = self._check_constant(part, result)
         return result
@@ -127,6 +128,13 @@ class Resolver:
 
     def _refuse_number(self, part: Syntax, what: str = "too long to be written exactly") -> Node:
         self.bag.error("E0210", f"this constant is {what}", part.span, help=(DOUBLES,))
+        return self.graph.one
+
+    def _refuse_power(self, part: Syntax) -> Node:
+        help = "leave numbers out of what is raised to a high power: u^n in place of (2*u)^n"
+        self.bag.error(
+            "E0210", "a number in this power is too long to be written exactly", part.span, help=(help, DOUBLES)
+        )
         return self.graph.one
 
     def _check_constant(self, part: Syntax, node: Node) -> Node:

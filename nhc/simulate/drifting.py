@@ -1,0 +1,48 @@
+"""Whether a run keeps the energy that its motion conserves, where the energy is among what was asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.exact.modular import Unlucky
+from nhc.mechanics.properties.conserved import driving_terms, uneven_terms
+from nhc.simulate.prepare import Job
+
+_FAR = 100.0  # times the accuracy: what a long run may well add up to
+_COARSE = 0.1  # of its size, in steps that nothing but the user's word holds
+
+
+def tell_energy(job: Job, rows: Sequence[Sequence[float]], tolerance: float) -> tuple[str, ...]:
+    """A note where the energy among the columns changes by far more than ``tolerance`` (0: of fixed steps), and should not.
+
+    It is compared with itself, and with T and V at the start, which may cancel.
+    """
+    places = [k for k, column in enumerate(job.columns) if column.heading == "energy" and column.group == "need"]
+    if not places or len(rows) < 2:
+        return ()
+    system, values = job.system, [row[places[0]] for row in rows]
+    try:
+        parts = evaluate(system.graph, [system.T, system.U], job.start.values(system))
+    except ArithmeticError:
+        return ()
+    size = max(abs(float(x)) for x in (*values, *parts))
+    change = max(abs(x - values[0]) for x in values)
+    if not change > (_FAR * tolerance or _COARSE) * size or not _is_conserved(job):
+        return ()
+    told = f"the energy, which the motion conserves, changes by {change / size:.2g} of its size"
+    if not tolerance:
+        return (f"{told}: these steps are too long for it; take shorter ones, or leave `--step` out",)
+    return (
+        f"{told}, though each step was held to an accuracy of {tolerance:.3g}: that is beside what an entry of the state is there,"
+        " and of velocities that are large for a while errors stay that are large beside what comes after; see whether the end"
+        " changes with a smaller `--tol`",
+    )
+
+
+def _is_conserved(job: Job) -> bool:
+    """By the theorem of energy (III.2.2); what needs more than its terms is not told."""
+    try:
+        return not driving_terms(job.system) and not uneven_terms(job.system)
+    except Unlucky:
+        return False
