@@ -18,10 +18,12 @@ def tell_energy(job: Job, rows: Sequence[Sequence[float]], tolerance: float) -> 
 
     It is compared with itself, and with T and V at the start, which may cancel.
     """
+    system = job.system
+    names = {*system.q_names, *(form.name for form in system.quasi), *(name for name, _ in system.outputs)}
     places = [k for k, column in enumerate(job.columns) if column.heading == "energy" and column.group == "need"]
-    if not places or len(rows) < 2:
+    if not places or len(rows) < 2 or "energy" in names:  # which is another one
         return ()
-    system, values = job.system, [row[places[0]] for row in rows]
+    values = [row[places[0]] for row in rows]
     try:
         parts = evaluate(system.graph, [system.T, system.U], job.start.values(system))
     except ArithmeticError:

@@ -35,8 +35,7 @@ from nhc.algebra.polynomial import ONE, leading_size
 from nhc.algebra.walks import reachable
 
 _HALF_TURN = FULL_TURN // 2
-_PERIODIC = ("sin", "cos")
-_EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
+_PERIODIC, _EXPONENTIAL = ("sin", "cos"), ("exp", "sinh", "cosh", "tanh")
 _FAMILIES = {**dict.fromkeys(_PERIODIC, "angle"), **dict.fromkeys(_EXPONENTIAL, "exponent")}
 INVERSE = ("asin", "acos", "atan", "atan2")
 

@@ -10,7 +10,8 @@ from itertools import pairwise
 from nhc.records import record
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
-from nhc.study.linearization.linearize import ROUNDING, Linearisation, Mode, linearise_at, modes
+from nhc.study.linearization.linearize import Linearisation, Mode, linearise_at, modes
+from nhc.study.linearization.spectrum import ROUNDING
 from nhc.study.linearization.narrowing import End, narrow
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.units import Matrix

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from nhc.study.linearization.field import RANK
-from nhc.study.linearization.linearize import ROUNDING
+from nhc.study.linearization.spectrum import ROUNDING
 from nhc.study.linearization.units import Matrix
 
 
