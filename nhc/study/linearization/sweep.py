@@ -11,8 +11,8 @@ from nhc.records import record
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import Linearisation, Mode, linearise_at, modes
-from nhc.study.linearization.spectrum import ROUNDING
 from nhc.study.linearization.narrowing import End, narrow
+from nhc.study.linearization.spectrum import ROUNDING
 from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.units import Matrix
 from nhc.study.linearization.zeros import chain_of, sign_of, size_of, told_sign, without
