@@ -27,6 +27,7 @@ from nhc.simulate.workshop import Model, Workshop
 POINTS = 201
 _SMOOTH = 8  # rows in the time of a step: methods of high order step over a good part of a period
 _MOST = 2001  # rows of a picture, which has some 700 pixels for them
+_SHORT_END = 1e-12  # of the run: a last step that is no longer
 _ROWS_OF_JUMPS = 401
 _ROUNDS, _BETWEEN = 4, 100  # to find a time to 8 digits of the way between two rows
 _LONGEST = 1_000_000  # rows of a scene of which an event leaves a part
@@ -149,6 +150,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
             f"{found.outcome.steps} steps, each held to {wanted:.2g}: in so many, errors may add up to more than the accuracy of"
             f" {tolerance:.3g}; see whether the end changes with a smaller `--tol`",
         )
+    if adaptive and settings.step <= 0 and method not in PEERS and found.ended == "done":
+        notes += _tell_short_end(found, task)
     notes += tell_energy(job, found.rows, tolerance if settings.step <= 0 else 0.0)
     return replace(found, seconds=seconds, notes=(*dict.fromkeys((*workshop.notes, *notes, *follower.notes)),))
 
@@ -171,6 +174,18 @@ def _tell_passed(method: str, task: Task) -> tuple[str, ...]:
     return (
         f"functions of the time jump, bend or pulse at t = {first}{more}, where the steps of {method} do not end: it may pass over"
         " them; nhc's own adaptive methods end steps there",
+    )
+
+
+def _tell_short_end(found: Trajectory, task: Task) -> tuple[str, ...]:
+    """A note where steps have become as short as they can be just where the run ends, though no stop cut the last one."""
+    end, duration = task.times[-1], abs(task.times[-1] - task.times[0])
+    cut = any(abs(end - after) < 1e-6 * duration for _, after in task.stops)
+    if not 0.0 < abs(found.outcome.h) < _SHORT_END * duration or cut:
+        return ()
+    return (
+        f"the last step is only {abs(found.outcome.h):.1g} long: the motion comes to a singular place at its end, and what stands"
+        " there may have no correct digits",
     )
 
 

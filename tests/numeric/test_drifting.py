@@ -42,3 +42,10 @@ def test_steps_that_are_too_long() -> None:
 def test_what_is_not_conserved_may_change() -> None:
     assert "the energy" not in notes(KEPLER.replace("c: 0", "c: 0.001"), "round")
     assert "the energy" not in notes(FREE.replace(", energy]", "]"), "flat")
+
+
+def test_a_run_that_ends_at_a_pole() -> None:
+    """x = 1/(1 - t)."""
+    text = "nhc: 1\nsystem: kepler\ncoordinates: [x]\nT: x'^2/2\nV: -x^4/2\nscenes: {go: {initial: {x: 1, x': 1}, time: [0, 1]}}\n"
+    assert "the motion comes to a singular place at its end" in notes(text, "go")
+    assert "singular" not in notes(text.replace("[0, 1]", "[0, 0.99]"), "go")

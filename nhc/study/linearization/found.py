@@ -40,7 +40,7 @@ class NotSteady(ArithmeticError):
         self.residual, self.place, self.entries = residual, tuple(float(x) for x in place), tuple(entries)
         usual = "let `--about` name another state, or give the parameters other values with `--set`"
         if math.isfinite(residual):
-            usual = "start nearer to a steady motion, or fix more of it with `--hold`; there may be none near"
+            usual = "start nearer to a steady motion with `--about`, or fix more of it with `--hold`; there may be none near"
         self.advice = advice or usual
 
 
