@@ -135,3 +135,39 @@ def test_a_wrong_word_of_a_start_gets_its_code(wrong: str, code: str, message: s
     text = CRANK.replace("UNIT", "1").replace("b: {near: B}", wrong).replace("X}", "1}")
     found = refuse(text).diagnostics
     assert code in [d.code for d in found] and any(message in d.message for d in found)
+
+
+FOUR_BAR = """nhc: 1
+system: four_bar
+coordinates: [a, b, c]
+T: a'^2 + b'^2 + c'^2
+define: {px: 0.3*cos(a), py: 0.3*sin(a)}
+holonomic:
+  - px + cos(a + b) = 1.1 + 0.7*cos(c)
+  - py + sin(a + b) = 0.7*sin(c)
+scenes: {go: {initial: {a: ANGLE, b: {near: 0.8}, c: {near: 1.8}}, time: [0, 1]}}
+"""
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.5, 1.0, 1.25, 1.5, 1.75, 2.0, 2.75, 3.0, 3.25, 4.5, 5.0, 6.0])
+def test_a_linkage_is_assembled_near_to_what_was_given(angle: float) -> None:
+    """No step near a dead point leads to another turn: both solutions, with all their turns, are known in closed form."""
+    system = resolve(decode(Source("four_bar.yaml", FOUR_BAR.replace("ANGLE", str(angle)))))
+    start = start_of(system, system.spec.scenes[0])
+    px, py = 0.3 * math.cos(angle), 0.3 * math.sin(angle)
+    way, far = math.atan2(py, px - 1.1), math.hypot(px - 1.1, py)
+    near = math.acos((0.7**2 + far**2 - 1) / (2 * 0.7 * far))
+    places = list[tuple[float, float]]()
+    for c in (way + near, way - near):
+        b = math.atan2(0.7 * math.sin(c) - py, 1.1 + 0.7 * math.cos(c) - px) - angle
+        turns = (-4 * math.pi, -2 * math.pi, 0.0, 2 * math.pi, 4 * math.pi)
+        places += [(b + one, c + other) for one in turns for other in turns]
+    best = min(places, key=lambda place: math.hypot(place[0] - 0.8, place[1] - 1.8))
+    assert start.q[1:] == pytest.approx(best, abs=1e-9)
+
+
+def test_a_flat_place_is_left_on_its_own_side() -> None:
+    text = "nhc: 1\nsystem: s\ncoordinates: [x, y]\nT: x'^2 + y'^2\nholonomic: [\"y = sin(x)\"]\n"
+    text += "scenes: {go: {initial: {x: {near: 1.5}, y: 0.5}, time: [0, 1]}}\n"
+    system = resolve(decode(Source("s.yaml", text)))
+    assert start_of(system, system.spec.scenes[0]).q[0] == pytest.approx(math.pi / 6)

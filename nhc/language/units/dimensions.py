@@ -78,7 +78,11 @@ _WORDS = {
     **dict.fromkeys(("radian", "radians", "rads"), "rad"),
     **dict.fromkeys(("degree", "degrees"), "deg"),
     **{"newton": "N", "joule": "J", "watt": "W", "hertz": "Hz", "pascal": "Pa", "kelvin": "K", "ampere": "A", "volt": "V"},
-    **{"newtons": "N", "joules": "J", "watts": "W", "volts": "V", "amperes": "A", "rpm": "1/min", "none": "1"},
+    **{"newtons": "N", "joules": "J", "watts": "W", "volts": "V", "amperes": "A", "none": "1"},
+}  # fmt: skip
+_TOLD = {
+    **dict.fromkeys(("rpm", "rev", "turn", "turns"), "write `rad` or `rad/s`, and values times 2*pi: none is converted"),
+    **dict.fromkeys(("degc", "degf", "celsius", "fahrenheit"), "write `K`: a unit has no zero of its own here"),
 }  # fmt: skip
 
 
@@ -124,6 +128,8 @@ def _unit(text: str, start: int) -> Dimension:
     known = _known_unit(text)
     if known is not None:
         return known
+    if text.casefold() in _TOLD:
+        raise UnitError(f"unknown unit `{text}`", start, start + len(text), _TOLD[text.casefold()])
     meant = _WORDS.get(text.casefold(), "")
     for k in range(1, len(text)):
         if not meant and _known_unit(text[:k]) is not None and text[k:] in _UNITS:

@@ -1,7 +1,8 @@
-"""Positions that close loops: the coordinates nearest to given ones at which the equations under ``holonomic:`` hold.
+"""Positions that close loops: coordinates near to given ones at which the equations under ``holonomic:`` hold.
 
-Damped Gauss-Newton steps of least length (Levenberg 1944) in units that balance the slopes, halved until they bring the equations
-nearer, so that a linkage is assembled on the branch that it was given near to.
+Damped Gauss-Newton steps of least length (Levenberg 1944) in units that balance the slopes: once halved until the equations go to
+zero along a line, so that a linkage is assembled on the branch that it was given near to, and once until they are brought nearer at
+all, which passes dead points.  Of the places that are found the nearest is taken.
 """
 
 from __future__ import annotations
@@ -22,6 +23,10 @@ _HALVINGS = 40
 _DAMPING = 1e-3  # at most, beside slopes of 1; it goes with the square of what is left of the equations
 _ROUNDING = 1e-15
 _GAIN = 1e-4  # of what a step promises (Armijo 1966)
+_OFF = 0.25  # of what a step changes: how far off what its slopes promise it may be where they are followed closely
+_NEAR = 1e-6  # of the equations, where all steps are close
+_CLOSED = 1e-9  # what may be left of them
+_MOST_WAYS = 12  # coordinates along which places beside the given one are tried
 
 
 @record
@@ -42,19 +47,16 @@ def assemble(system: System, place: Mapping[Node, float], free: Sequence[int]) -
     What the equations leave open moves least.  Where moving ``free`` does not help any more the place that comes nearest is
     returned: who called looks whether the equations hold there.
     """
-    loops, best = _Loops(system, free), dict(place)
-    here = loops.look(best)
-    if here is not None:
-        loops.balance(here)
-        here = loops.look(best)
-    for _ in range(_STEPS):
-        if here is None or not here.size > 0.0:
-            break
-        there = loops.move(best, here)
-        if there is None:
-            break
-        best, here = there
-    return best
+    loops = _Loops(system, free)
+    here = loops.look(place)
+    if here is None:
+        return dict(place)
+    loops.balance(here)
+    found = [loops.solve(place, closely) for closely in (True, False)]
+    most = max(_CLOSED * (1.0 + here.size), min(left for _, left in found))
+    if not found[0][1] <= most:  # a dead point lies on the way
+        found += [loops.solve(beside, closely=True) for beside in loops.list_beside(place)]
+    return min((at for at, left in found if left <= most), key=lambda at: loops.distance(place, at))
 
 
 class _Loops:
@@ -92,18 +94,59 @@ class _Loops:
     def balance(self, here: _Here) -> None:
         self.weights = [1.0 / (math.hypot(*row) or 1.0) for row in here.slopes]
 
-    def move(self, place: Mapping[Node, float], here: _Here) -> tuple[dict[Node, float], _Here] | None:
-        """The next place and what is left there; None where no step helps."""
+    def solve(self, place: Mapping[Node, float], closely: bool) -> tuple[dict[Node, float], float]:
+        """Where steps from a place lead, and what is left of the equations there."""
+        best, here = dict(place), self.look(place)
+        assert here is not None
+        for _ in range(_STEPS):
+            there = self._move(best, here, closely) if here.size > 0.0 else None
+            if there is None:
+                break
+            best, here = there
+        return best, here.size
+
+    def list_beside(self, place: Mapping[Node, float]) -> list[dict[Node, float]]:
+        """Places all around, where the equations have values."""
+        count = len(self.symbols)
+        ways = [[float(i == k) for i in range(count)] for k in range(min(count, _MOST_WAYS))]
+        ways.append([1.0] * count)
+        ways.append([(-1.0) ** i for i in range(count)])
+        found = [self._along(place, way, part) for way in ways for part in (0.5, -0.5, 1.5, -1.5)]
+        return [beside for beside in found if self.look(beside) is not None]
+
+    def distance(self, one: Mapping[Node, float], other: Mapping[Node, float]) -> float:
+        """How far the free coordinates have moved."""
+        return math.hypot(*((one[q] - other[q]) / u for q, u in zip(self.symbols, self.units, strict=True)))
+
+    def _move(self, place: Mapping[Node, float], here: _Here, closely: bool) -> tuple[dict[Node, float], _Here] | None:
+        """The next place and what is left there; None where no step helps.
+
+        A step that follows the equations ``closely`` leaves of them what their slopes promise: then their values go straight to
+        zero (Davidenko 1953), and no step near a dead point leads to another turn or branch.
+        """
         step = _step(here)
+        looks = (1.0, 0.5, 0.25) if closely and here.size >= _NEAR else ()  # of a step: its end may be close by chance
         for halving in range(_HALVINGS if step else 0):
             part = 0.5**halving
-            moved = dict(place)
-            for q, s, u in zip(self.symbols, step, self.units, strict=True):
-                moved[q] += part * s * u
+            moved = self._along(place, step, part)
             there = self.look(moved)
-            if there is not None and there.size <= (1.0 - _GAIN * part) * here.size:
+            if there is None or not there.size <= (1.0 - _GAIN * part) * here.size:
+                continue
+            if all(_is_close(here, self.look(self._along(place, step, part * x)), part * x) for x in looks):
                 return moved, there
         return None
+
+    def _along(self, place: Mapping[Node, float], step: Sequence[float], part: float) -> dict[Node, float]:
+        moved = {q: place[q] + part * s * u for q, s, u in zip(self.symbols, step, self.units, strict=True)}
+        return {**place, **moved}
+
+
+def _is_close(here: _Here, there: _Here | None, part: float) -> bool:
+    """Whether a part of a step leaves of the equations what their slopes promise."""
+    if there is None:
+        return False
+    off = math.hypot(*(a - (1.0 - part) * b for a, b in zip(there.left, here.left, strict=True)))
+    return off <= _OFF * part * here.size
 
 
 def _step(here: _Here) -> list[float]:
