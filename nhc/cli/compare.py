@@ -145,6 +145,8 @@ def _print(made: Certificate, emitted: dict[str, Kept]) -> None:
 
 def _emitted(emitted: dict[str, Kept]) -> list[str]:
     """Whether emitted code does what the equations say."""
+    from nhc.program.validation import UNDECIDED
+
     held = [name for name, functions in emitted.items() if set(functions.values()) == {True}]
     names = dict.fromkeys(function for name in held for function in emitted[name])
     lines = [f"emitted code does exactly what these equations say ({', '.join(held)}):", f"  {', '.join(names)}"]
@@ -158,7 +160,7 @@ def _emitted(emitted: dict[str, Kept]) -> list[str]:
             )
         unknown = [function for function, holds in functions.items() if holds is None]
         if unknown:
-            lines.append(f"emitted code: not decided for {', '.join(unknown)} of {name}: no point was found to look at")
+            lines.append(f"emitted code: not decided for {', '.join(unknown)} of {name}: {UNDECIDED}")
     return lines
 
 

@@ -150,13 +150,15 @@ def _print(made: SceneModel, kept: Kept, notes: tuple[str, ...]) -> None:
 
 def _verdicts(kept: Kept) -> list[str]:
     """Whether the functions of the model give what the full equations give."""
+    from nhc.program.validation import UNDECIDED
+
     groups = {
         verdict: ", ".join(name for name, found in kept.items() if found is verdict) for verdict in (True, False, None)
     }
     words = {
         True: "exact at every state: {}",
         False: "NOT what the full equations give: {}, which is an error of nhc; use `nhc emit` without `--scene`",
-        None: "not decided, for no point was found to look at: {}",
+        None: f"not decided ({UNDECIDED}): {{}}",
     }
     return [words[verdict].format(names) for verdict, names in groups.items() if names]
 

@@ -1,8 +1,8 @@
 """Positions that close loops: coordinates near to given ones at which the equations under ``holonomic:`` hold.
 
-Damped Gauss-Newton steps of least length (Levenberg 1944) in units that balance the slopes: once halved until the equations go to
-zero along a line, so that a linkage is assembled on the branch that it was given near to, and once until they are brought nearer at
-all, which passes dead points.  Of the places that are found the nearest is taken.
+Damped Gauss-Newton steps of least length (Levenberg 1944) in units that balance the slopes, halved until the equations go to zero
+along a line, so that a linkage is assembled on the branch that it was given near to.  Where a dead point lies on the way, the same
+from places all around, and steps that bring the equations nearer at all; of the places that are found the nearest is taken.
 """
 
 from __future__ import annotations
@@ -52,11 +52,15 @@ def assemble(system: System, place: Mapping[Node, float], free: Sequence[int]) -
     if here is None:
         return dict(place)
     loops.balance(here)
-    found = [loops.solve(place, closely) for closely in (True, False)]
-    most = max(_CLOSED * (1.0 + here.size), min(left for _, left in found))
-    if not found[0][1] <= most:  # a dead point lies on the way
-        found += [loops.solve(beside, closely=True) for beside in loops.list_beside(place)]
-    return min((at for at, left in found if left <= most), key=lambda at: loops.distance(place, at))
+    closed = _CLOSED * (1.0 + here.size)
+    led, left = loops.solve(place, closely=True)
+    if left <= closed:
+        return led
+    passed, rest = loops.solve(place, closely=False)  # a dead point lies on the way
+    if not rest <= closed:
+        return passed if rest < left else led
+    others = [loops.solve(beside, closely=True) for beside in loops.list_beside(place)]
+    return min([passed, *(at for at, left in others if left <= closed)], key=lambda at: loops.distance(place, at))
 
 
 class _Loops:

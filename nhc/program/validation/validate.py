@@ -27,7 +27,8 @@ from nhc.program.validation.reading_back import Place, Reader
 _POINTS = 2
 
 Kept = dict[str, bool | None]
-"""By function, whether it keeps what it promises; None where no point was found at which that can be seen."""
+"""By function, whether it keeps what it promises; None where no point was found at which that can be seen, or where it is kept to
+40 digits at real places, by an identity that the prime field does not have."""
 
 
 def certify_programs(system: System) -> tuple[Certificate, dict[str, Kept]]:
@@ -66,7 +67,7 @@ def places_of(planner: Planner) -> dict[Place, Node]:
 
 
 def holds(graph: Graph, promise: Promise) -> bool | None:
-    """Whether a function keeps its promise; None where no point was found at which that can be seen."""
+    """Whether a function keeps its promise; None where that is not decided."""
     try:
         if promise.stages:
             return _vanish_staged(graph, promise)

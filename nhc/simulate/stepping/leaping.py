@@ -8,13 +8,13 @@ from math import inf
 from typing import Protocol
 
 from nhc.simulate.methods.step import Model, Step
+from nhc.simulate.stepping.rounding import measure_rounding
 from nhc.simulate.task import Task
 
 _CLOSE = 1e-3  # to an end: what an argument does between them is how it goes there
 _LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE, 1.0)
 # of the step, between two corners: closer ones may lie between two stages; closer still, they are one
 _APART, _SAME = 0.5, 1e-9
-_ROUNDING = 2.0**-50
 _FEW = 100.0  # times its rounding, what an argument is that is next to nothing
 
 
@@ -39,25 +39,12 @@ def find_most(step: Step, model: Placed, task: Task) -> float:
     courses = [_Course(values, *part) for values, part in zip(zip(*looks, strict=True), model.parts, strict=True)]
     most = _judge(step, model, courses)
     if most == 0.0 and any(c.part == 0.0 for c in courses):  # it may be rounding that goes to and fro
-        _measure_noise(step, model, courses)
+        starts = [c.u for c in courses]
+        noise = measure_rounding(lambda t, y: model.places(t, y, step.p), step.t, step.y, starts)
+        for c, change in zip(courses, noise, strict=True):
+            c.noise = change
         most = _judge(step, model, courses)
     return most
-
-
-def _measure_noise(step: Step, model: Placed, courses: Sequence[_Course]) -> None:
-    """What rounding of the state may change the arguments by at the start of the step."""
-    for k in range(len(step.y) + 1):
-        moved, t = list(step.y), step.t
-        if k < len(moved):
-            moved[k] *= 1.0 + _ROUNDING
-        else:
-            t *= 1.0 + _ROUNDING
-        try:
-            at = model.places(t, moved, step.p)
-        except ArithmeticError:
-            continue
-        for c, value in zip(courses, at, strict=True):
-            c.noise += abs(value - c.u)
 
 
 def _judge(step: Step, model: Placed, courses: Sequence[_Course]) -> float:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.linear import resolve
 from nhc.simulate.methods.step import NoSolution, Step, Vector
 
+_FEW = 4.0 * sys.float_info.epsilon
 _PART = 2.0**-40
 _GOLDEN = 0.6180339887498949
 
@@ -118,3 +119,18 @@ def reconsider(s: Step, error: float, twice: bool, again: Callable[[], float]) -
     if not 0.0 <= found <= 1.0:
         s.noise, s.measured_step = former, measured_step
     return found
+
+
+def measure_rounding(look: Callable[[float, Vector], Vector], t: float, y: Sequence[float], values: Vector) -> Vector:
+    """What rounding of the state and of the time changes ``values`` by, the first of those that ``look`` gives at (t, y)."""
+    changes = [0.0] * len(values)
+    for k in range(len(y) + 1):
+        moved, time = list(y), t
+        if k < len(moved):
+            moved[k] *= 1.0 + _FEW
+        else:
+            time *= 1.0 + _FEW
+        with suppress(ArithmeticError):
+            at = look(time, moved)
+            changes = [change + abs(a - b) for change, a, b in zip(changes, at, values, strict=False)]
+    return changes

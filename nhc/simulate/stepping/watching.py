@@ -9,6 +9,7 @@ from typing import Protocol
 
 from nhc.program.runs.watch import WEAK
 from nhc.simulate.methods.step import Step
+from nhc.simulate.stepping.rounding import measure_rounding
 
 Look = Callable[[float], list[float]]
 """The watched values at a part of the step."""
@@ -43,18 +44,9 @@ def watch_start(model: Watching, t: float, y: Sequence[float], p: Sequence[float
     change it by is no more than a zero.
     """
     before = model.watch(t, y, p)
-    changes = [0.0] * events
-    for k in range(len(y) + 1 if events else 0):
-        moved, time = list(y), t
-        if k < len(y):
-            moved[k] *= 1.0 + 4.0 * _EPSILON
-        else:
-            time *= 1.0 + 4.0 * _EPSILON
-        try:
-            at = model.watch(time, moved, p)
-        except ArithmeticError:
-            continue
-        changes = [change + abs(a - b) for change, a, b in zip(changes, at, before, strict=False)]
+    if not events:
+        return before
+    changes = measure_rounding(lambda time, moved: model.watch(time, moved, p), t, y, before[:events])
     return [0.0 if abs(b) <= change else b for b, change in zip(before, changes, strict=False)] + before[events:]
 
 
