@@ -333,4 +333,4 @@ def decode(source: Source, asked: str = "") -> Spec:
         place = Span(start, start + 1)
         bag.error("E0301", "a spec is a mapping of keys to values", place, help=("begin with `nhc: 1`",))
         raise SpecError(bag.diagnostics, source)
-    return _Decoder(source, merge_bases(source, root), bag, asked).run()
+    return _Decoder(source, merge_bases(source, root, bag), bag, asked).run()

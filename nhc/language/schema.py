@@ -133,25 +133,54 @@ SHAPES: dict[str, Callable[[], dict[str, Any]]] = {
 """By the kind of a key, what its value may be; the values of a ``choice`` stand with the key."""
 
 
-def _spec() -> dict[str, Any]:
-    """A spec that extends another need not hold what that has."""
-    made = _object(SPEC_KEYS)
-    required = made.pop("required")
-    ways = [{"required": ["extends"]}]
-    for placed in ("coordinates", "rotation"):
-        for energy in ("T", "bodies"):
-            other = {"coordinates": placed, "T": energy}
-            ways.append({"required": [other.get(key, key) for key in required]})
-    return {**made, "required": ["nhc"], "anyOf": ways}
+def _as_change(tree: dict[str, Any]) -> dict[str, Any]:
+    """The schema of what is merged with a base: nothing is required, and an entry that is null leaves the base's out."""
+    made: dict[str, Any] = {key: _as_change(value) if isinstance(value, dict) else value for key, value in tree.items()}
+    for key in ("anyOf", "oneOf"):
+        if key in made:
+            made[key] = [_as_change(way) for way in made[key]]
+    if "properties" in made:
+        made["properties"] = {name: _or_null(value) for name, value in made["properties"].items()}
+    if isinstance(made.get("additionalProperties"), dict):
+        made["additionalProperties"] = _or_null(made["additionalProperties"])
+    if made.get("type") == "object":
+        for key in ("required", "minProperties"):
+            made.pop(key, None)
+    return made
+
+
+def _or_null(value: dict[str, Any]) -> dict[str, Any]:
+    if "type" in value:
+        kinds = value["type"] if isinstance(value["type"], list) else [value["type"]]
+        return {**value, "type": [*kinds, "null"]}
+    if "enum" in value:
+        return {**value, "enum": [*value["enum"], None]}
+    return {**value, "anyOf": [*value["anyOf"], {"type": "null"}]}
 
 
 def schema() -> dict[str, Any]:
-    """Return the schema as a tree that ``json.dumps`` takes."""
+    """Return the schema as a tree that ``json.dumps`` takes.
+
+    What stands at its top is all that a spec with `extends` must fit; another one fits ``whole`` too.
+    """
+    filled = {"not": {"type": "null"}}
+    whole = _object(SPEC_KEYS)
+    required = whole.pop("required")
+    ways = [
+        [{"coordinates": placed, "T": energy}.get(key, key) for key in required]
+        for placed in ("coordinates", "rotation")
+        for energy in ("T", "bodies")
+    ]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": f"nhc spec, language version {VERSION}",
-        **_spec(),
-        "not": {"required": ["U", "V"]},
+        **_as_change(whole),
+        "required": ["nhc"],
+        "anyOf": [{"required": keys} for keys in (["extends"], *ways)],
+        "not": {"required": ["U", "V"], "properties": {"U": filled, "V": filled}},
+        "if": {"not": {"required": ["extends"]}},
+        "then": {"$ref": "#/$defs/whole"},
+        "$defs": {"whole": whole},
     }
 
 

@@ -5,11 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
+import jsonschema
 import pytest
+import yaml
 
 from nhc.diagnostics import Source, SpecError, render_concise, render_text, to_json
 from nhc.language import decode, read
 from nhc.language.expressions.unparse import unparse
+from nhc.language.schema import schema
 from nhc.pipeline import check, emit
 from tests.support import python_model
 
@@ -75,6 +78,38 @@ def test_one_potential_replaces_the_other(tmp_path: Path) -> None:
     own = "nhc: 1\nextends: base.yaml\nU: -k*x^2\n"
     spec = decode(read(put(tmp_path, base=BASE, own=own) / "own.yaml"))
     assert spec.potential_kind == "U"
+
+
+def test_null_leaves_out_what_the_base_has(tmp_path: Path) -> None:
+    base = BASE + "  stay: {initial: {x: 2, y: 1}, time: [0, 2]}\nforces: {x: -x'}\n"
+    middle = "nhc: 1\nextends: base.yaml\nV: null\nforces: null\n"
+    own = "nhc: 1\nextends: middle.yaml\nscenes: {go: ~, stay: {initial: {x: Null}}}\nparameters: {k: null}\n"
+    own += "define: {s: x}\noutputs: {sum: null}\n"
+    spec = decode(read(put(tmp_path, base=base, middle=middle, own=own) / "own.yaml"))
+    assert spec.potential is None
+    assert not spec.forces
+    assert not spec.outputs
+    assert [p.name for p in spec.parameters] == ["m"]
+    (stay,) = spec.scenes
+    assert stay.name == "stay"
+    assert [start.name for start in stay.initial] == ["y"]
+    validator = jsonschema.Draft202012Validator(schema())
+    assert all(validator.is_valid(yaml.safe_load(text)) for text in (base, middle, own))
+    for text in (base.replace("V: k/2*s^2", "V: null"), base.replace("k: 3", "k: null")):
+        assert not validator.is_valid(yaml.safe_load(text))
+
+
+def test_what_no_base_has_cannot_be_left_out(tmp_path: Path) -> None:
+    middle = "nhc: 1\nextends: base.yaml\nV: null\n"
+    own = "nhc: 1\nextends: middle.yaml\nV: null\nscenes: {go: {initial: {y: ~}}, new: {time: [0, 1], initial: {x: null}}}\n"
+    own += "outputs: {sum: }\n"
+    found = messages(put(tmp_path, base=BASE, middle=middle, own=own) / "own.yaml")
+    missing = [f"no base has `{name}` here, so that it cannot be left out" for name in "Vyx"]
+    assert [text for _, text in found] == [*missing, "empty value of `sum`"]
+    assert [place for place, _ in found] == ["own.yaml:3:4", "own.yaml:4:28", "own.yaml:4:66", "own.yaml:5:11"]
+    alone = BASE.replace("k: 3", "k: null").replace("[sum]", "[sum, null]")
+    found = messages(put(tmp_path, alone=alone) / "alone.yaml")
+    assert [text for _, text in found] == ["empty value of `k`", "empty entry of a list"]
 
 
 BODIES = """nhc: 1

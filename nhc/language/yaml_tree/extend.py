@@ -1,12 +1,13 @@
 """``extends``: a spec takes over another and changes some of it.
 
 The base is read relative to the spec's folder.  Mappings merge by name at every depth, an entry of the spec in the place of
-the base's; lists and texts replace.  Where a mapping has one of several forms (``U`` or ``V``, a body's ``turns`` or ``rotation``),
-the spec's form takes the place of the base's.
+the base's; lists and texts replace, and ``null`` leaves the base's entry out, as in a JSON merge patch (RFC 7396).  Where a mapping
+has one of several forms (``U`` or ``V``, a body's ``turns`` or ``rotation``), the spec's form takes the place of the base's.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -14,9 +15,9 @@ from nhc.diagnostics import Bag, Source, Span, SpecError
 from nhc.language.expressions.names import fold
 from nhc.language.keys import forms_at
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
-from nhc.language.yaml_tree.reader import read_nodes
+from nhc.language.yaml_tree.reader import EXTENDS as KEY
+from nhc.language.yaml_tree.reader import is_null, read_nodes
 
-KEY = "extends"
 DEEPEST = 8
 
 
@@ -52,8 +53,8 @@ def folder_of(source: Source) -> Path:
     return Path(source.path).parent
 
 
-def merge_bases(source: Source, root: Table) -> Table:
-    """Return the root with what its bases add.
+def merge_bases(source: Source, root: Table, bag: Bag) -> Table:
+    """Return the root with what its bases add; entries to leave out that no base has go into ``bag`` (E0109).
 
     Raises ``SpecError``: a base was not read (a spec from standard input has no folder), or is no mapping.
     """
@@ -67,9 +68,9 @@ def merge_bases(source: Source, root: Table) -> Table:
     start = len(source.text) + 1
     tables = [root]
     for base in source.bases:
-        bag = Bag(base)
-        node = read_nodes(base, bag)
-        bag.raise_if_errors()
+        own = Bag(base)
+        node = read_nodes(base, own)
+        own.raise_if_errors()
         if not isinstance(node, Table):
             raise refuse(source, value.span, f"the base `{base.path}` is not a spec")
         tables.append(_shift_table(node, start))
@@ -77,7 +78,19 @@ def merge_bases(source: Source, root: Table) -> Table:
     made = tables[-1]
     for table in reversed(tables[:-1]):
         made = _merge_roots(made, table)
+    for key, node in _nulls_of(made):
+        help = "give it a value, or remove it: `null` leaves out what a base has"
+        bag.error("E0109", f"no base has `{key.value}` here, so that it cannot be left out", node.span, help=(help,))
     return replace(made, span=root.span)
+
+
+def _nulls_of(table: Table) -> Iterator[tuple[Text, Node]]:
+    """The entries that are to be left out, at every depth of mappings."""
+    for key, node in table.entries:
+        if is_null(node):
+            yield key, node
+        elif isinstance(node, Table):
+            yield from _nulls_of(node)
 
 
 def _merge_roots(base: Table, own: Table) -> Table:
@@ -111,7 +124,8 @@ def _merge(base: Table, own: Table, rates: frozenset[str], path: tuple[str, ...]
             merged: Node = _merge(node, value, rates, (*path, name))
         else:
             merged = value
-        entries.append((key, merged))
+        if not is_null(merged):
+            entries.append((key, merged))
     return Table((*entries, *new.values(), *twice), own.span)
 
 

@@ -20,6 +20,7 @@ _UNPRINTABLE = re.compile("[\0-\x08\x0b-\x1f\x7f-\x84\x86-\x9f]|[\ud800-\udfff]|
 _BREAK = re.compile("[\x85\u2028\u2029]")
 _ALIAS = "\0alias"  # stands for an alias, which is refused where it is read
 _NULL = ("", "~", "null", "Null", "NULL")
+EXTENDS = "extends"
 _COMMAS = "write a list as `[a, b]`, and a text with commas in quotes"
 _QUOTES = "put a text that holds `: `, ` #` or commas between quotes"
 # what PyYAML says (a part of it), how it is said here (empty: the same), and what to do
@@ -169,6 +170,7 @@ def read_nodes(source: Source, bag: Bag) -> Node | None:
 
 def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
     stack: list[_Open] = []
+    nulls: list[tuple[Text, Node]] = []
     root: Node | None = None
     documents = 0
     for event in events:
@@ -184,7 +186,7 @@ def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
                 _check_properties(source, event, bag)
                 stack.append(_Open(start, isinstance(event, yaml.MappingStartEvent)))
             case yaml.MappingEndEvent() | yaml.SequenceEndEvent():
-                node = _close(source, stack.pop(), end, bag)
+                node = _close(source, stack.pop(), end, nulls, bag)
             case yaml.ScalarEvent():
                 _check_properties(source, event, bag)
                 node = _text(source, event, bag)
@@ -196,6 +198,9 @@ def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
             stack[-1].items.append(node)
         elif node is not None:
             root = node
+    if not (isinstance(root, Table) and root.get(EXTENDS) is not None):
+        for key, value in nulls:
+            _check_filled(source, value, key.span, f"value of `{key.value}`", bag)
     return root
 
 
@@ -232,7 +237,8 @@ def _text(source: Source, event: Any, bag: Bag) -> Text:
     return Text(event.value, Span(start, end), plain=not style, offsets=offsets)
 
 
-def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
+def _close(source: Source, opened: _Open, end: int, nulls: list[tuple[Text, Node]], bag: Bag) -> Node:
+    """The list or mapping; entries that are ``null`` in so many words go to ``nulls``: they may leave out what a base has."""
     while end > opened.start + 1 and source.text[end - 1] in " \t\n":
         end -= 1
     span = Span(opened.start, end)
@@ -257,7 +263,10 @@ def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
             continue
         seen[key.value] = key
         kept = filled.get(key.value, value)  # of a key that is given twice, once without a value, the one with it
-        _check_filled(source, kept, key.span, f"value of `{key.value}`", bag)
+        if is_null(kept) and key.value != EXTENDS:
+            nulls.append((key, kept))
+        else:
+            _check_filled(source, kept, key.span, f"value of `{key.value}`", bag)
         entries.append((key, kept))
     return Table(tuple(entries), span)
 
@@ -267,6 +276,11 @@ def is_empty(node: Node) -> bool:
     if not isinstance(node, Text):
         return False
     return not node.value.strip() or node.value == _ALIAS or (node.plain and node.value in _NULL)
+
+
+def is_null(node: Node) -> bool:
+    """Say whether a node is ``null`` or ``~`` in so many words."""
+    return isinstance(node, Text) and node.plain and node.value != "" and node.value in _NULL
 
 
 def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) -> None:

@@ -219,7 +219,7 @@ def draft_of(source: Source, scene: Scene, changed: bool = False) -> Draft:
     trees.update((("outputs", d.name), d.value) for d in spec.outputs)
     shown = {name for figure in spec.draw for tree in figure.expressions for name in names_in(tree)}
     shown |= {name for entry in scene.initial for name in names_in(entry.value)}
-    root = without_bodies(merge_bases(source, read), bag).root
+    root = without_bodies(merge_bases(source, read, bag), bag).root
     return Draft(spec, scene, with_scene(root, scene) if changed else root, trees, frozenset(shown))
 
 
