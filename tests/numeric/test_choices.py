@@ -13,6 +13,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.minors import float_determinant
 from nhc.diagnostics import Source
 from nhc.mechanics.certificates.certificate import certify
+from nhc.mechanics.frame import describe_added
 from nhc.mechanics.regular.regularity import choose_dependent, judge, relative_determinant, score
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows, trial_points
 from nhc.pipeline import Options, check, emit, model, program
@@ -253,6 +254,25 @@ constraints:
   - -sin(th)*x' + cos(th)*y' - a*th' = 0
 scenes: {s: {initial: {th: 0.3}, time: [0, 1]}}
 """
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "given", "added"),
+    [
+        ("x, y, th", "v: cos(th)*x' + sin(th)*y', w: th'", "y'*cos(th) - x'*sin(th)"),
+        ("x, y, th", "s: y'*cos(th) - x'*sin(th)", "-x'*cos(th) - y'*sin(th)"),  # to the left of that, it is backwards
+        ("x, y, th, a", "u: cos(th + a)*x' + sin(th + a)*y', w: th' + a'", "y'*cos(th + a) - x'*sin(th + a)"),
+    ],
+)
+def test_a_velocity_along_a_free_body_is_completed_by_the_one_across(coordinates: str, given: str, added: str) -> None:
+    kinetic = " + ".join(f"{c}'^2" for c in coordinates.split(", "))
+    text = f"nhc: 1\nsystem: body\ncoordinates: [{coordinates}]\nT: {kinetic}\nquasi_velocities: {{{given}}}\nV: x*cos(th)\n"
+    found = check(Source("body.yaml", text))
+    assert [diagnostic.code for diagnostic in found.diagnostics] == []
+    made = model(Source("body.yaml", text))
+    assert made.formulation.name == "euler-lagrange"
+    assert next(iter(describe_added(made.system, made.formulation.frame).values())) == added
+    assert all(a.accelerations for a in certify(made.system, points=1).agreements)
 
 
 @pytest.mark.parametrize("distance", ["0.3", "1e-7"])

@@ -6,7 +6,8 @@ velocities along the axes of bodies (:mod:`nhc.mechanics.choosing.headings`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
@@ -68,12 +69,23 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
         best = _along_rows(system, forms, best, pools[0])
         weak = coframe_weakness(system, (*system.constraints, *best))[0] if forms else 0
     measure = (weak, bool(forms) and may_vanish(system, [*system.constraints, *best]))
-    for order in list_orders(system, pools[0]) if forms and any(measure) else ():
+    for order in _other_orders(system, forms, pools[0]) if forms and any(measure) else ():
         (weak, _, _), made = weigh([*order, *pools[0]])
         trial = (weak, weak <= measure[0] and may_vanish(system, [*system.constraints, *made]))
         if trial < measure:
             measure, best = trial, made
     return best
+
+
+def _other_orders(system: System, forms: Sequence[Form], pool: Sequence[Form]) -> Iterator[Sequence[Form]]:
+    """What to complete the spec's quasi-velocities with first: other coordinates' velocities, or their own rows of minors, as if they
+    were constraints.  Beside the velocity of a body along its axis that is the one across it.
+    """
+    yield from list_orders(system, pool)
+    held = replace(system, constraints=(*system.constraints, *forms))
+    adapted = adapted_forms(held, to_the_left=True) or ()
+    if any(form.name not in system.q_names for form in adapted):
+        yield adapted
 
 
 _Weighed = tuple[tuple[int, bool, float], tuple[Form, ...]]

@@ -27,8 +27,14 @@ _MOST_ROWS = 3
 _MOST_SUBSETS = 150  # of columns that are tried for a form of minors that cannot vanish together
 
 
-def adapted_forms(system: System, aside: tuple[list[int], set[int]] | None = None) -> tuple[Form, ...] | None:
-    """n - l free forms, or None where no small completion is found; ``aside`` are the pivots, if not the usual ones."""
+def adapted_forms(
+    system: System, aside: tuple[list[int], set[int]] | None = None, *, to_the_left: bool = False
+) -> tuple[Form, ...] | None:
+    """n - l free forms, or None where no small completion is found; ``aside`` are the pivots, if not the usual ones.
+
+    A row of minors begins without a minus sign, or with ``to_the_left`` makes the determinant positive: beside the velocity along
+    a body's axis it is then the one to the left, otherwise that to the right.
+    """
     rows, columns = aside or set_pivots_aside(system)
     free_columns = [j for j in range(system.n) if j not in columns]
     made: list[Form] = []
@@ -39,7 +45,8 @@ def adapted_forms(system: System, aside: tuple[list[int], set[int]] | None = Non
         seen = [
             j for j in free_columns if any(system.constraints[r].coefficients[j] != system.graph.zero for r in group)
         ]
-        best = _minor_form(system, group, seen, unused_name(system, [form.name for form in made]))
+        name = unused_name(system, [form.name for form in made])
+        best = _minor_form(system, group, seen, name, to_the_left=to_the_left)
         if best is None or best[2]:
             return None
         made.append(best[0])
@@ -81,7 +88,7 @@ def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[
 
 
 def _minor_form(
-    system: System, rows: Sequence[int], columns: Sequence[int], name: str
+    system: System, rows: Sequence[int], columns: Sequence[int], name: str, *, to_the_left: bool = False
 ) -> tuple[Form, tuple[int, ...], bool] | None:
     """The row of signed minors on the best k + 1 columns, under that name; the rows must not reach outside them."""
     g, size = system.graph, len(rows)
@@ -104,7 +111,7 @@ def _minor_form(
         return None
     singular, _, subset, minors, _ = min(found)
     coefficients = [g.zero] * system.n
-    sign = _leading_sign(system, minors)
+    sign = (-1) ** size if to_the_left else _leading_sign(system, minors)
     for j, minor in zip(subset, minors, strict=True):
         coefficients[j] = g.neg(minor) if sign < 0 else minor
     outside = [j for j in columns if j not in subset]

@@ -129,7 +129,7 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
 
 
 def _why(costs: Sequence[Cost], best: Result, other: Result) -> str:
-    """The price of one right-hand side and their number, where they differ."""
+    """The price of one right-hand side and their number, where they differ; what speaks for the slower one is said to do so."""
     known = {cost.formulation: cost for cost in costs}
     a, b = known.get(best.case.formulation), known.get(other.case.formulation)
     if a is None or b is None:
@@ -138,7 +138,8 @@ def _why(costs: Sequence[Cost], best: Result, other: Result) -> str:
     first, second = (a.c, b.c) if c else (a.python, b.python)
     parts = []
     if math.isfinite(first) and math.isfinite(second):
-        parts.append(f"a right-hand side takes {duration(second)} against {duration(first)}")
+        less = other.calls * second * EQUAL < best.calls * first and other.best > best.best
+        parts.append(f"{'though ' * less}a right-hand side takes {duration(second)} against {duration(first)}")
     if a.states != b.states:
         parts.append(f"{b.states} states against {a.states}")
     if other.calls != best.calls:
