@@ -6,6 +6,7 @@ import re
 import unicodedata
 from collections.abc import Collection
 
+from nhc.diagnostics import quote
 from nhc.language.expressions.loanwords import ACCELERATIONS
 from nhc.language.expressions.names import ENERGIES, FUNCTIONS, is_name
 
@@ -139,6 +140,13 @@ def foreign_name(name: str, known: Collection[str]) -> str:
         return "angles are in radians: write `*pi/180`"
     if re.fullmatch(r"(lambda|reaction)s?_?\w*", name):
         return "reactions are no part of expressions: a scene asks for them by `need: [reactions]`"
+    point = re.fullmatch(r"(.+)_v[xyz123]", name)
+    if point and f"{point[1]}_x" in known and f"{point[1]}_cx" not in known:  # a body has that
+        rates = quote([f"{point[1]}_{axis}'" for axis in "xyz" if f"{point[1]}_{axis}" in known])
+        if f"{point[1]}_vx" in known:
+            own = quote([f"{point[1]}_v{axis}" for axis in "xyz" if f"{point[1]}_v{axis}" in known])
+            return f"`{point[1]}` has no parent body on whose axes this would be; in space its velocity is {own}"
+        return f"`{point[1]}` is of no body, and has only the rates {rates}; `of` says whose matter moves with the velocity there"
     return ""
 
 
