@@ -169,17 +169,17 @@ def test_the_other_spec_holds() -> None:
         ("tip_z: F", "tip: F", "E0302", "as `tip_x: ...`", "tip_x: F"),
         (
             "{parent: arm, at: [l, 0, 0]}}\n",
-            "{at: [x, l, 0]}}\noutputs: {speed: tip_v1}\n",
+            "{at: [x, l, x]}}\noutputs: {speed: tip_v1}\n",
             "E0302",
             "only the rates `tip_x'`, `tip_y'`, `tip_z'`",
-            "{at: [x, l, 0]}}\noutputs: {speed: tip_x'}\n",
+            "{at: [x, l, x]}}\noutputs: {speed: tip_x'}\n",
         ),
         (
             "{parent: arm, at: [l, 0, 0]}}\n",
-            "{of: arm, at: [x, l, 0]}}\noutputs: {speed: tip_v1}\n",
+            "{of: arm, at: [x, l, x]}}\noutputs: {speed: tip_v1}\n",
             "E0302",
             "in space its velocity is `tip_vx`, `tip_vy`, `tip_vz`",
-            "{of: arm, at: [x, l, 0]}}\noutputs: {speed: tip_vx}\n",
+            "{of: arm, at: [x, l, x]}}\noutputs: {speed: tip_vx}\n",
         ),
         ("tip_z: F", "arm: F", "E0302", "as `arm_x: ...` at its origin, a torque as `arm_w1`, `arm_w2`", "arm_x: F"),
         (

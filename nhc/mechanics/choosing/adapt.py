@@ -78,7 +78,7 @@ def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[For
 
 
 def _other_orders(system: System, forms: Sequence[Form], pool: Sequence[Form]) -> Iterator[Sequence[Form]]:
-    """What to complete the quasi-velocities of a spec with first: other coordinates' velocities, or their own rows of minors, as if they
+    """What to complete a spec's quasi-velocities with first: other coordinates' velocities, or their own rows of minors, as if they
     were constraints.  Beside the velocity of a body along its axis that is the one across it.
     """
     yield from list_orders(system, pool)
