@@ -1,9 +1,10 @@
-"""Units: their texts and dimensions. Scale does not matter here, so ``km`` and ``m`` are both a length."""
+"""Units: their texts, their dimensions and, apart from these, their scales: ``km`` and ``m`` are both a length."""
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from types import MappingProxyType
@@ -58,7 +59,40 @@ _UNITS: dict[str, Dimension] = {
 }
 # products of base units
 _COHERENT = ("1", "rad", "sr", "N", "J", "W", "Pa", "Hz", "C", "V", "F", "ohm", "S", "Wb", "T", "H")
-_PREFIXES = ("da", *"QRYZEPTGMkhdcmunpfazyrq", "\u00b5", "\u03bc")
+_PREFIXES = {
+    **{
+        "da": 1,
+        "Q": 30,
+        "R": 27,
+        "Y": 24,
+        "Z": 21,
+        "E": 18,
+        "P": 15,
+        "T": 12,
+        "G": 9,
+        "M": 6,
+        "k": 3,
+        "h": 2,
+        "d": -1,
+        "c": -2,
+    },
+    **{"m": -3, "u": -6, "n": -9, "p": -12, "f": -15, "a": -18, "z": -21, "y": -24, "r": -27, "q": -30},
+    **{"\u00b5": -6, "\u03bc": -6},
+}  # with their powers of ten
+_FACTORS = (2.0, 3.0, 5.0, math.pi, 1.602176634e-19)
+Scale = tuple[int | Fraction, ...]  # powers of these factors
+# of the product of base units; 1 for others
+_SCALES: dict[str, Scale] = {
+    "deg": (-2, -2, -1, 1, 0),
+    "g": (-3, 0, -3, 0, 0),
+    "t": (3, 0, 3, 0, 0),
+    "min": (2, 1, 1, 0, 0),
+    "h": (4, 2, 2, 0, 0),
+    "eV": (0, 0, 0, 0, 1),
+    "bar": (5, 0, 5, 0, 0),
+    "L": (-3, 0, -3, 0, 0),
+    "l": (-3, 0, -3, 0, 0),
+}
 _UNPREFIXED = ("1", "min", "h", "deg")
 _ENLARGED = {"t": ("da", *"QRYZEPTGMkh")}  # `ft` is a foot to those who write it, and no unit here
 _LETTERS = r"[A-Za-z\u00b5\u03bc\u03a9\u2126]+|1"
@@ -110,6 +144,11 @@ def raise_to(base: Dimension, power: int | Fraction) -> Dimension:
     return tuple(part.numerator if part.denominator == 1 else part for part in raised)
 
 
+def factor(scale: Scale) -> float:
+    """The number that a scale stands for."""
+    return math.prod(math.pow(base, power) for base, power in zip(_FACTORS, scale, strict=True))
+
+
 def show(dimension: Dimension, words: Mapping[str, str] = MappingProxyType({})) -> str:
     """Return a dimension as a product of base units: ``kg*m^2/s^2``; ``1`` for none.  ``words``: other words for some of these."""
     named = sorted(zip(_BASE, dimension, strict=True), key=lambda item: _ORDER.get(item[0], 2))
@@ -138,14 +177,26 @@ def _unit(text: str, start: int) -> Dimension:
 
 
 def _known_unit(text: str) -> Dimension | None:
+    prefix, name = _cut(text)
+    return None if prefix is None else _UNITS[name]
+
+
+def _cut(text: str) -> tuple[str | None, str]:
+    """The prefix of a unit and its name without; (None, "") for what is no unit."""
     name = text.replace("\u03a9", "ohm").replace("\u2126", "ohm")
     if name in _UNITS:
-        return _UNITS[name]
+        return "", name
     for prefix in _PREFIXES:
         rest = name.removeprefix(prefix)
         if rest != name and rest in _UNITS and rest not in _UNPREFIXED and prefix in _ENLARGED.get(rest, _PREFIXES):
-            return _UNITS[rest]
-    return None
+            return prefix, rest
+    return None, ""
+
+
+def _scale(text: str, _: int) -> Scale:
+    prefix, name = _cut(text)
+    scale, ten = _SCALES.get(name, (0,) * len(_FACTORS)), _PREFIXES.get(prefix or "", 0)
+    return multiply(scale, (ten, 0, ten, 0, 0))
 
 
 @structure
@@ -212,18 +263,28 @@ def parse_unit(text: str) -> Dimension:
     A product is written with ``*``, a space or a middle dot; ``/`` divides by the one factor after it; ``^`` takes an
     integer.
     """
+    return _measure(text, ONE, _unit)
+
+
+def parse_scale(text: str) -> Scale:
+    """Return what a unit is of the product of base units: powers of 2, 3, 5, pi and the 1.602176634e-19 of an electronvolt."""
+    return _measure(text, (0,) * len(_FACTORS), _scale)
+
+
+def _measure(text: str, one: Dimension, unit: Callable[[str, int], Dimension]) -> Dimension:
+    """The powers that belong to a unit's text, given those of its factors."""
     words = _split(text)
     stack: list[tuple[Dimension, int]] = []  # what stands before each open parenthesis, and the sign of its power
-    total, sign, last = ONE, 1, ONE
+    total, sign, last = one, 1, one
     wants = True
     for index, word in enumerate(words):
         follower = words[index + 1].text if index + 1 < len(words) else ""
         if word.kind == "unit":
-            last = raise_to(_unit(word.text, word.start), sign)
+            last = raise_to(unit(word.text, word.start), sign)
             total, sign, wants = multiply(total, last), 1, False
         elif word.text == "(":
             stack.append((total, sign))
-            total, sign, wants = ONE, 1, True
+            total, sign, wants = one, 1, True
         elif word.text == ")" and stack and not wants:
             before, sign = stack.pop()
             last = raise_to(total, sign)

@@ -1,0 +1,101 @@
+"""Units of one dimension and of different scales: told where nothing converts them."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy.physics.units
+from sympy.physics.units.prefixes import PREFIXES
+
+from nhc.diagnostics import Source
+from nhc.language.units.dimensions import factor, parse_scale
+from nhc.pipeline import check
+
+SPEC = """nhc: 1
+system: s
+coordinates: {x: {unit: LENGTH}, th: {unit: ANGLE}}
+parameters: {m: {value: 1, unit: MASS}, k: {value: 2, unit: STIFF}, w: {value: 2, unit: RATE}, I: {unit: INERTIA, value: 3}}
+T: m/2*x'^2 + I/2*th'^2
+V: k/2*x^2*WAVE
+"""
+KEYS = ("LENGTH", "ANGLE", "MASS", "STIFF", "RATE", "INERTIA", "WAVE")
+
+
+def told(units: str, wave: str) -> list[tuple[str, str]]:
+    text = SPEC
+    for key, word in zip(KEYS, (*units.split(), wave), strict=True):
+        text = text.replace(key, word)
+    found = check(Source("spec.yaml", text), explain=False).diagnostics
+    assert all(one.code == "W0430" for one in found)
+    return [(one.message, one.help[0]) for one in found]
+
+
+@pytest.mark.parametrize(
+    ("units", "wave"),
+    [
+        ("m rad kg N/m 1/s kg*m^2", "sin(w*t)"),
+        ("mm rad kg mN/mm 1/s kg*mm^2", "sin(w*t)"),
+        ("m rad t kN/m Hz t*m^2", "sin(w*t)"),
+        ("cm rad g g/s^2 1/s g*cm^2", "sin(w*t)"),
+        ("dm rad kg N/m 1/s kg*L/dm", "sin(w*t)"),
+        ("km rad kg N/m 1/s kg*km^2", "cos(th)"),
+        ("m rad kg kN/m 1/s kg*m^2", "(1000*sin(w*t))"),
+        ("m deg kg N/m 1/s kg*m^2", "sin(th*pi/180)"),
+        ("m deg kg N/m 1/s kg*m^2", "sin(2*pi*th/360)"),
+        ("m deg kg N/m 1/s kg*m^2", "sin(th/57.29578)"),
+        ("m rad kg N/m 1/h kg*m^2", "sin(w*t/60/60)"),
+        ("m rad kg N/m 1/s kg*cm^2", "(100*100*th)"),
+    ],
+)
+def test_units_that_go_together_or_are_converted(units: str, wave: str) -> None:
+    assert told(units, wave) == []
+
+
+@pytest.mark.parametrize(
+    ("units", "wave", "message", "help"),
+    [
+        (
+            "m deg kg N/m 1/s kg*m^2",
+            "sin(th)",
+            "`th` is in degrees, and functions of angles take radians",
+            "times pi/180",
+        ),
+        ("m rad kg N/m 1/min kg*m^2", "sin(w*t)", "`w` is in 1/min, and time is in seconds", "values times 0.0166667"),
+        ("m rad kg kN/m 1/s kg*m^2", "sin(w*t)", "`k` is in kN/m, 1000 times what the other units make", "times 1000"),
+        (
+            "mm rad g mN/m 1/s kg*mm^2",
+            "(60*th)",
+            "`I` is in kg*mm^2, 1000 times what the other units make",
+            "times 1000",
+        ),
+        ("m rad kg eV/m^2 1/s kg*m^2", "1", "`k` is in eV/m^2, 1.60218e-19 times what the other units make", "values"),
+        ("m rad kg bar*m 1/s kg*m^2", "1", "`k` is in bar*m, 100000 times what the other units make", "times 100000"),
+    ],
+)
+def test_units_of_other_scales_are_told(units: str, wave: str, message: str, help: str) -> None:
+    ((said, advice),) = told(units, wave)
+    assert said == message
+    assert help in advice
+
+
+def test_scales_are_those_of_the_international_system() -> None:
+    """Each prefix, and each unit that is no product of base units, by SymPy's tables."""
+    units = {
+        "g": "gram",
+        "min": "minute",
+        "h": "hour",
+        "eV": "electronvolt",
+        "bar": "bar",
+        "L": "liter",
+    }
+    base = [sympy.physics.units.kilogram, sympy.physics.units.meter, sympy.physics.units.second]
+    for name, word in units.items():
+        there = sympy.physics.units.convert_to(getattr(sympy.physics.units, word), base)
+        there = there.subs({unit: 1 for unit in base}).evalf()
+        assert factor(parse_scale(name)) == pytest.approx(float(there), rel=1e-5), name
+    for name, prefix in PREFIXES.items():
+        assert factor(parse_scale(f"{name.replace('mu', 'u')}m")) == pytest.approx(float(prefix.scale_factor)), name
+    assert factor(parse_scale("deg")) == pytest.approx(math.pi / 180)
+    assert factor(parse_scale("km/h")) == pytest.approx(1 / 3.6)
+    assert factor(parse_scale("(mm*t)^2/min")) == pytest.approx(1 / 60)
