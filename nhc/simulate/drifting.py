@@ -1,12 +1,17 @@
-"""Whether a run keeps the energy that its motion conserves, where the energy is among what was asked for."""
+"""What a motion conserves and its run does not: the energy, where it is asked for, and what `--until` waits for."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import Unlucky
+from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.properties.conserved import driving_terms, uneven_terms
+from nhc.mechanics.properties.constancy import are_constant, jumps
+from nhc.mechanics.properties.sampling import Sampler
+from nhc.mechanics.regular.regularity import choose_dependent
 from nhc.simulate.prepare import Job
 
 _FAR = 100.0  # times the accuracy: what a long run may well add up to
@@ -39,6 +44,22 @@ def tell_energy(job: Job, rows: Sequence[Sequence[float]], tolerance: float) -> 
         f"{told}, though each step was held to an accuracy of {tolerance:.3g}: that is beside what an entry of the state is there,"
         " and of velocities that are large for a while errors stay that are large beside what comes after; see whether the end"
         " changes with a smaller `--tol`",
+    )
+
+
+def tell_constant_event(job: Job) -> tuple[str, ...]:
+    """A note where what has ended a run is a constant of the motion."""
+    recipe, system = job.recipe, job.system
+    if recipe is None or recipe.event is None:
+        return ()
+    try:
+        sampler = Sampler(system, coordinate_frame(system, choose_dependent(system).dependent) if system.l else None)
+        if not are_constant(sampler, [recipe.event.value])[0] or jumps(sampler, recipe.event.value):
+            return ()
+    except (Unlucky, Singular):
+        return ()
+    return (
+        f"`{recipe.until}` of `--until` is a constant of the motion: rounding and the errors of the run alone change it",
     )
 
 

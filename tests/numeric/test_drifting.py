@@ -49,3 +49,30 @@ def test_a_run_that_ends_at_a_pole() -> None:
     text = "nhc: 1\nsystem: kepler\ncoordinates: [x]\nT: x'^2/2\nV: -x^4/2\nscenes: {go: {initial: {x: 1, x': 1}, time: [0, 1]}}\n"
     assert "the motion comes to a singular place at its end" in notes(text, "go")
     assert "singular" not in notes(text.replace("[0, 1]", "[0, 0.99]"), "go")
+
+
+SLEIGH = """nhc: 1
+system: sleigh
+coordinates: [x, y, th]
+T: (x'^2 + y'^2 + th'^2)/2
+V: cos(x)
+define: {lift: cos(th)*x' + sin(th)*y'}
+constraints:
+  - sin(th)*x' - cos(th)*y' = 0
+scenes: {go: {initial: {th: 0, x': 1, th': 0.4}, time: [0, 50]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("until", "constant"),
+    [("energy - 1.58 - E", True), ("lift^2/2 + cos(x) - 1.5 - E", True), ("th - 3", False), ("sign(th - 3)", False)],
+)
+def test_what_a_run_waits_for_may_be_constant(until: str, constant: bool) -> None:
+    """Errors and rounding make it cross zero; that is no event of the motion."""
+    for value in (0.0, 1e-16, -1e-16, 1e-10, -1e-10):
+        job = open_scene(Source("sleigh.yaml", SLEIGH), until=until.replace("E", repr(value)), method="dop853")
+        found = run(job, Settings("dop853", 1e-6, 0.0, 11, compiled=True))
+        if found.ended == "event":
+            break
+    assert found.ended == "event"
+    assert any("is a constant of the motion" in note for note in found.notes) == constant
