@@ -46,7 +46,7 @@ class SteadyModel:
     ``symmetries`` are groups of turns and shifts that a steady motion may go along: it stands still in axes that move with
     it, by ``turning``; ``generators`` are they as functions of the parameters.  ``units``: those of every state and rate that goes
     in or comes out, where they are not the spec's.  ``leaf_holds``: what hidden holonomic constraints hold, see
-    :mod:`nhc.study.linearization.leaf`.
+    :mod:`nhc.study.linearization.leaf`.  ``in_doubles``: a search need not tell a root that is multiple to its last digit.
     """
 
     flow: Flow
@@ -60,6 +60,7 @@ class SteadyModel:
     turning: Turn | None = None
     units: Units | None = None
     leaf_holds: tuple[Hold, ...] = ()
+    in_doubles: bool = False
 
     @cached_property
     def rest(self) -> tuple[int, ...]:

@@ -205,7 +205,7 @@ def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> i
         return zeros
     y, rest = np.array(made.model.inside(steady.y)), list(model.rest)
     scale = _NEARBY * (1.0 + float(np.max(np.abs(y), initial=0.0)))
-    away = replace(model, turning=None, symmetries=(steady.turns,))
+    away = replace(model, turning=None, symmetries=(steady.turns,), in_doubles=True)  # as far as that a way can be told
 
     def beside(move: Matrix) -> tuple[Steady, Matrix]:
         guess = np.array(y)
@@ -221,7 +221,7 @@ def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> i
                 size = float(np.linalg.norm(moved))
                 if size < _MOVED or np.linalg.norm(beside(_BETWEEN * moved)[1] - _BETWEEN * moved) > _ASTRAY * size:
                     continue
-                near = _about(model, found)
+                near = _about(model, find_steady(replace(away, in_doubles=False), found.y))
             except ArithmeticError:
                 continue
             smallest = min(smallest, len(near.parted()[0]))

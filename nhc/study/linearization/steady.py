@@ -285,6 +285,8 @@ def _settled(
     model: SteadyModel, turns: Sequence[Turn], y: Vector, holds: Sequence[Hold]
 ) -> tuple[Vector, list[list[float]]]:
     """The root itself where y is only near it, and states that may be the root as well for all that rounded parameters tell."""
+    if model.in_doubles:
+        return y, []
     moved, slopes = _moved(model, turns, y, holds)
     if undecided(slopes, [equations(model, turns, place, holds)[1] for place in moved]):
         inside = all_but(bound(model, y, slopes[len(model.rest) :]), len(y))
