@@ -1,5 +1,5 @@
 # make demo   derive, emit, compile, run and typeset one system into build/demo
-# make test   every check and every test
+# make test   every check, and all tests but those that take long
 # Both need a Python from 3.11 on, a C compiler and nothing else; what they install goes into .venv.
 
 VENV := .venv
@@ -19,7 +19,7 @@ help:
 	@echo "make check    the lints only"
 	@echo "make goldens  rewrite the expected files of the tests; read the difference before you commit it"
 	@echo "make fuzz     fuzz the reader, the parser and the emission; FUZZ_INPUTS and FUZZ_SPECS say how much"
-	@echo "make slow     the tests that take minutes: long runs, long studies"
+	@echo "make slow     the tests that take long: long runs, long studies, more cases of many alike"
 	@echo "make bench    those too, then measure nhc beside its peers and write docs/performance.md (needs valgrind, takes many minutes)"
 	@echo "make atlas    run the atlas of failures, the long scenarios too, and rewrite its table in docs/stability.md"
 	@echo "make clean    remove build/"

@@ -9,6 +9,7 @@ import os
 import shutil
 import sys
 import types
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -37,6 +38,24 @@ def pytest_configure(config: pytest.Config) -> None:
     if not any(shutil.which(name) for name in ("cc", "gcc", "clang")):
         raise pytest.UsageError("the tests compile C, and there is no cc, gcc or clang on the path")
     gc.set_threshold(*RARE_COLLECTION)  # as the command line has it
+
+
+@pytest.hookimpl(tryfirst=True)  # before `-m` chooses
+def pytest_collection_modifyitems(items: Sequence[pytest.Item]) -> None:
+    """Of the cases of a test that is marked ``sample(n)`` one in n is for every day, the others are slow.
+
+    One of each n in a row, and not the same each time: with cases that are pairs, both halves are met.
+    """
+    met: Counter[str] = Counter()
+    for item in items:
+        mark = item.get_closest_marker("sample")
+        if mark is None:
+            continue
+        test = item.nodeid.partition("[")[0]
+        block, place = divmod(met[test], mark.args[0])
+        met[test] += 1
+        if place != block % mark.args[0]:
+            item.add_marker(pytest.mark.slow)
 
 
 Compile = Callable[[Mapping[str, str], str, Sequence[str], Path], None]

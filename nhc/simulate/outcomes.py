@@ -116,7 +116,7 @@ def _why_singular(job: Job, outcome: Outcome) -> str:
     if pole:
         return pole.removesuffix(",")
     beside = ", or the expression of `--until` has no value within the next step" if job.events else ""
-    return f"a result is not finite{beside}"
+    return f"a result is not finite at a place that the next step tries{beside}"
 
 
 def _place_of(job: Job, outcome: Outcome) -> dict[Node, float]:

@@ -52,6 +52,7 @@ def _batch(
     return status, [[out[k * count + i] for k in range(size)] for i in range(count)]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("trig", ["", "inline"])
 @pytest.mark.parametrize("width", [1, 2, 4, 8])
 @pytest.mark.parametrize("name", SYSTEMS)

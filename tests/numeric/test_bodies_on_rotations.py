@@ -186,6 +186,7 @@ CASES = {
 }
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", CASES)
 def test_the_rates_are_the_dense_ones(name: str) -> None:
     found, trees = made(CASES[name].text())

@@ -268,12 +268,14 @@ def dense(found: Model, right: list[Node]) -> list[Node]:
     return solve_factored(g, factor(g, found.equations.mass), right)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("text", CASES)
 def test_the_rates_are_the_dense_ones(text: str) -> None:
     found, tree = made(text)
     assert are_equal(found.system.graph, tree.rates, dense(found, list(found.equations.force)))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("text", CASES)
 def test_any_right_side_is_solved(text: str) -> None:
     found, tree = made(text)

@@ -51,6 +51,7 @@ scenes: {sway: {initial: {y: 0.005, s': 20}, time: [0, 1], need: [y, psi]}}
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["energy", "dla", "leapfrog", "perlmutter", "midpoint"])
 def test_the_unit_of_mass_means_nothing(method: str, compiled: bool) -> None:

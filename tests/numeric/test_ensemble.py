@@ -61,6 +61,7 @@ def run_table(name: str, table: str, settings: Settings, formulation: str = "") 
     return run_ensemble(job, starts, settings)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_each_start_is_its_own_run(method: str) -> None:
     """Bit for bit: one call over all starts, and one run for each."""
@@ -180,6 +181,7 @@ def test_failures_are_told_by_row(how: tuple[str, ...], tmp_path: Path, capsys: 
     assert (code, out) == (3, "")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("how", [(), ("--python",)])
 def test_an_interrupt_keeps_the_starts_that_are_done(how: tuple[str, ...], tmp_path: Path) -> None:
     """SIGINT to the process: exit code 130, a partial file with whole starts only, and a message."""

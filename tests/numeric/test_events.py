@@ -29,6 +29,7 @@ def until(expression: str, method: str, step: float, compiled: bool) -> Trajecto
     return run(job, Settings(method, 1e-9, step, 11, compiled))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
 @pytest.mark.parametrize("depth", [1e-3, 1e-5, 1e-7])
@@ -39,6 +40,7 @@ def test_a_dip_within_a_step_is_seen(depth: float, method: str, step: float, com
     assert found.times[-1] == pytest.approx(math.acos(depth - 1), abs=1e-8 / math.sqrt(depth))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
 @pytest.mark.parametrize("angle", [0.3, 1.1, 2.5])
@@ -52,6 +54,7 @@ def test_a_target_that_is_passed_within_a_step_is_met(angle: float, method: str,
     assert apart.times[-1] == pytest.approx(angle - 2 * math.asin(near / 2), abs=1e-8)
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
 @pytest.mark.parametrize(
@@ -87,6 +90,7 @@ def test_what_has_no_value_at_the_start(expression: str) -> None:
     assert "`--until` has no value" in found.reason
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
 @pytest.mark.parametrize(
@@ -100,6 +104,7 @@ def test_what_ends_without_a_zero(expression: str, method: str, step: float, com
     assert found.outcome.t == pytest.approx(math.pi / 3, abs=1e-8)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
 def test_what_only_comes_near_is_no_event(method: str, step: float, compiled: bool) -> None:
@@ -107,6 +112,7 @@ def test_what_only_comes_near_is_no_event(method: str, step: float, compiled: bo
     assert until("x + 1.0000001", method, step, compiled).ended == "done"
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize("expression", ["x - 1", "1 - x", "y^2", "x^2 + y^2 - 1"])
 def test_what_begins_at_zero_leaves_it(expression: str, compiled: bool) -> None:

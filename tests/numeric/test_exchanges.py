@@ -155,6 +155,7 @@ def libraries(made: Made, folder: Path) -> tuple[CModel, list[ModuleType]]:
     return compiled, [python_model(text, f"dense_{k}") for k, text in enumerate(texts)]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("chosen", [*CASES[:-2], *map(seldom, CASES[-2:])])
 @pytest.mark.usefixtures("jax_is_numpy")
 def test_functions_at_and_near_a_pivots_zero(chosen: tuple[int, int, int, str], tmp_path: Path) -> None:
@@ -180,6 +181,7 @@ def test_functions_at_and_near_a_pivots_zero(chosen: tuple[int, int, int, str], 
                     assert float(module.energy(0.0, y, [])) == pytest.approx(kinetic, rel=1e-9)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("chosen", CASES[:2])
 @pytest.mark.usefixtures("jax_is_numpy")
 def test_jacobians_there(chosen: tuple[int, int, int, str], tmp_path: Path) -> None:
@@ -200,6 +202,7 @@ def test_jacobians_there(chosen: tuple[int, int, int, str], tmp_path: Path) -> N
                 assert np.array(found).ravel() == pytest.approx(wanted, abs=tolerance)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("chosen", CASES)
 def test_no_ordinary_state_is_refused(chosen: tuple[int, int, int, str], tmp_path: Path) -> None:
     """Bounds of a pivot's terms without their signs grow with each pivot before it: of seven rows a third was refused.
@@ -267,6 +270,7 @@ scenes:
 """
 
 
+@pytest.mark.slow
 def test_scenes_drivers_and_runs_pass_by(tmp_path: Path) -> None:
     """None of them ends or changes the formulation for a pivot; the smallest models have what stands in, too."""
     source = write(make(3, 6, 2), "voronec", SCENES)

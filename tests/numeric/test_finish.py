@@ -85,6 +85,7 @@ def test_long_outputs_are_summed_in_a_loop() -> None:
 HOSTILE = (0.0, math.inf, -math.inf, math.nan, 1e200, -1e-320, 1.7e308, -1.7e308)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", GALLERY)
 def test_statuses_are_those_of_testing_everything(name: str, tmp_path: Path) -> None:
     """Every entry of state and parameters in turn made hostile: C refuses where Python does, and all that passes is finite."""

@@ -50,6 +50,7 @@ def go(
     return run(job, Settings(method, tolerance, 0.0, 2, compiled))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9])
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "radau5"])
 @pytest.mark.parametrize("k", [1e5, 1e8])
@@ -75,6 +76,7 @@ def test_python_does_the_same(text: str, method: str) -> None:
     assert interpreted.rows[-1] == pytest.approx(compiled.rows[-1], rel=1e-9)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("follower", "compiled"), [("-y", True), ("-y", False), ("-1e6*(y - x) - 1e5*y'", True)])
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-10, 1e-11])
 def test_a_jump_in_a_step_of_an_implicit_method(tolerance: float, follower: str, compiled: bool) -> None:
@@ -93,6 +95,7 @@ scenes: {go: {initial: {x: 1}, time: [0, 10]}}
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "radau5"])
 def test_an_event_and_its_opposite_are_one(method: str, compiled: bool) -> None:

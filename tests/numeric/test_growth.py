@@ -213,12 +213,14 @@ def seldom(count: int) -> str:
     return snake(count, rows, "{a: 0.5, J: 0.1}")
 
 
+@pytest.mark.slow
 def test_recursions_side_by_side_stay_linear() -> None:
     """Velocities, and what constraints make of them, go from the leaves to the root together, not one after the other."""
     sixteen, thirty_one, forty_six = (operations(seldom(n)) for n in (16, 31, 46))
     assert forty_six - thirty_one <= 1.1 * (thirty_one - sixteen)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", [ends, seldom], ids=lambda text: text.__name__)
 def test_reactions_are_solved_backwards_along_the_constraints(text: Callable[[int], str]) -> None:
     """One vector for each constraint meets all that hangs on it, and 20 rods took 14801 operations."""
@@ -226,6 +228,7 @@ def test_reactions_are_solved_backwards_along_the_constraints(text: Callable[[in
     assert thirty - twenty <= 1.1 * (twenty - ten)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", [without_velocities(steered), apart], ids=["steered", "apart"])
 def test_velocities_are_chosen_along_the_chain(text: Callable[[int], str]) -> None:
     """The determinant of other velocities may be larger, but they lie at both ends, and nothing is short in them."""

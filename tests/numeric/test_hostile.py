@@ -337,6 +337,7 @@ GROUPS = [
 ]
 
 
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("group", [g for g in GROUPS if g], ids=lambda g: g[0])
 def test_reserved_words_are_good_names(group: list[str], tmp_path: Path) -> None:
     """Each word as a coordinate, a parameter, a definition, a constraint, a quasi-velocity, an output and a scene."""
@@ -346,6 +347,7 @@ def test_reserved_words_are_good_names(group: list[str], tmp_path: Path) -> None
     carry_through(make(**names), tmp_path, paper=len(group[0]) % 6 == 0)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "system",
     [
@@ -407,6 +409,7 @@ def test_names_that_fold_together_are_refused(ascii_name: str, other: str) -> No
     assert "E0305" in refusal(make(a=ascii_name, b=other))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("first", "second"),
     [("é", "u00e9"), ("x", "х"), ("x_dot", "x"), ("ж", "u0436"), ("Å", "A"), ("s_x", "x"), ("ab", "a_b")],
@@ -440,6 +443,7 @@ ABOUTS = (
 )
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("about", ABOUTS, ids=range(len(ABOUTS)))
 def test_texts_do_not_leave_their_comments(about: str, tmp_path: Path) -> None:
     carry_through(make(about=about), tmp_path)
@@ -489,6 +493,7 @@ def test_a_spec_of_900_kilobytes(tmp_path: Path) -> None:
     timed("a spec of 900 kB", HANG, started)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "piece",
     ["x*", "x^2*{k} - ", *(pytest.param(x, marks=pytest.mark.slow) for x in ("sin({k}*x) + ", "x/({k} + x) + "))],
@@ -507,6 +512,7 @@ def test_an_expression_of_90000_characters(piece: str, tmp_path: Path) -> None:
     timed(f"90000 characters of {piece}", HANG, started)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("nest", ["({})", "sin({})", "-{}", "1/(2 + {})", "({})^2", "x^({})", "atan2({}, 2)"])
 @pytest.mark.parametrize("depth", [60, 198, 5000])
 def test_deep_nesting(nest: str, depth: int, tmp_path: Path) -> None:

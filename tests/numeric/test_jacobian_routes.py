@@ -101,6 +101,7 @@ ALONG = {
 }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ALONG)
 def test_a_pass_over_forces_and_accelerations_has_the_slopes_of_the_rates(
     name: str, monkeypatch: pytest.MonkeyPatch

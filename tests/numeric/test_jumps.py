@@ -60,6 +60,7 @@ def is_conserved(V: str) -> bool:
     return find_conserved(system_of(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {V}\n"), None).energy
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("V", JUMPING)
 def test_an_energy_that_jumps_is_not_conserved(V: str) -> None:
     """The motion passes the jump: T + V at the ends of a run tell it."""
@@ -166,6 +167,7 @@ def motion(text: str, **settings: object) -> Trajectory:
     return run(job, Settings(points=21, **settings))  # type: ignore[arg-type]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("formulation", ["chaplygin", "multipliers"])
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("radau5", 0.0), ("rk4", 0.01)])
@@ -199,6 +201,7 @@ scenes: {a: {initial: {x: 1, z: -1, y': 4.5}, time: [0, 5]}}
     assert "jump" not in found.reason and "it is too long" in found.reason
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("formulation", ["chaplygin", "multipliers"])
 @pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("rk4", 0.2)])
 def test_a_run_goes_on_where_the_angle_has_no_cut(formulation: str, method: str, step: float) -> None:
@@ -223,6 +226,7 @@ def test_the_warning_names_what_jumps() -> None:
 STICKING = [seldom("auto", False), ("auto", True), ("radau5", True)]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("method", "compiled"), STICKING)
 def test_a_run_ends_soon_where_dry_friction_sticks(
     method: str, compiled: bool, monkeypatch: pytest.MonkeyPatch

@@ -84,6 +84,7 @@ def assert_close(found: Outcome, single: Outcome, tolerance: float) -> None:
         assert max(abs(a - b) for a, b in zip(one, other, strict=True)) <= tolerance * size
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("name", "method"),
     [
@@ -143,6 +144,7 @@ def test_angles_too_large_for_the_kernel() -> None:
             assert max(abs(a - b) for a, b in zip(one.y[:2], other.y[:2], strict=True)) < 1e-9
 
 
+@pytest.mark.slow
 def test_kernel_and_model_take_the_same_steps() -> None:
     """With libm's sine there is no kernel."""
     for name in ("rolling_disk", "double_pendulum", "suslov"):

@@ -105,6 +105,7 @@ def test_a_guard_is_asked_at_each_stage() -> None:
     assert [layer.entries for layer in guarded.layers] == [(1,)] and guarded.kept == ("c",)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("method", EXPLICIT)
 @pytest.mark.parametrize("name", ["chaplygin_sleigh", "rolling_disk", "snakeboard", "followers", "free_point"])
 def test_the_kernel_is_the_model(name: str, method: str) -> None:

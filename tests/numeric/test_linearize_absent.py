@@ -216,6 +216,7 @@ forces: {x: -FORCE*x'}
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("force", "sweep", "expected"),
     [

@@ -188,6 +188,7 @@ def rewritten(name: str, way: str) -> str:
     return yaml.safe_dump(data, sort_keys=False)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["bicycle", "rattleback", "roller_racer", "n_trailer3", "n_snake3"])
 @pytest.mark.parametrize("way", ["backwards", "scattered", "other side", "some on the other side", "y before x"])
 def test_the_order_and_the_signs_of_rows_are_all_the_same(name: str, way: str) -> None:
@@ -211,6 +212,7 @@ def with_factor(name: str, way: str, *, every: int = 1) -> str:
     return yaml.safe_dump(data, sort_keys=False)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["bicycle", "rattleback", "roller_racer", "n_trailer3", "n_snake3"])
 @pytest.mark.parametrize("way", FACTORS)
 def test_a_factor_of_a_row_is_all_the_same(name: str, way: str) -> None:

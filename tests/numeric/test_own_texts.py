@@ -70,6 +70,7 @@ def test_a_prescribed_velocity_in_a_chain(count: int, row: str) -> None:
     assert_right(rods(count, "s", "", more=f"constraints:\n  - {row}"))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "changes",
     [

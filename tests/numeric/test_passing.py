@@ -175,6 +175,7 @@ OFTEN = {
 }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("potential", [one if one.startswith(("0.3", "1000")) else seldom(one) for one in OFTEN])
 def test_a_place_that_is_passed_again_and_again(potential: str) -> None:
     """Thirty times, or fifteen: more turns of the argument than a grid over the scene can tell."""
@@ -321,6 +322,7 @@ scenes:
     assert run(job, Settings(points=2)).rows[-1][0] == pytest.approx(float(short.y[0, -1]), rel=1e-7)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
 def test_an_argument_that_leaves_the_doubles_far_away(method: str, compiled: bool) -> None:

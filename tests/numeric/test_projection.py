@@ -34,6 +34,7 @@ def last(job: Job, method: str, step: float = 0.0, tolerance: float = 1e-12) -> 
     return list(found.rows[-1])
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 @pytest.mark.parametrize(("name", "levels"), [("contact_oscillator_eps", 1), ("holonomic_pendulum", 3)])
 def test_projected_steps_keep_the_order(name: str, levels: int, method: str) -> None:
@@ -94,6 +95,7 @@ scenes: {go: {initial: {}, time: [0, 1], need: [r, off, turn]}}
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("python", [False, True])
 @pytest.mark.parametrize("formulation", ["", "multipliers"])
 @pytest.mark.parametrize(

@@ -90,6 +90,7 @@ def needed(model: ModuleType, need: Any, t: float, y: Any, p: Any) -> Iterator[f
             yield model.velocities(t, y, p)[model.COORDINATES.index(name.removesuffix("'"))]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("name", "scene"), SCENES)
 def test_the_model_of_a_scene_is_the_full_one_on_its_needs(name: str, scene: str) -> None:
     made = reduction(name, scene)

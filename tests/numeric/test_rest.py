@@ -191,6 +191,7 @@ def test_a_driver_starts_from_rest(tmp_path: Path, swum: list[float]) -> None:
         assert [float(x) for x in last[1:]] == pytest.approx(swum, abs=1e-6)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("method", "torque", "compiled"),
     both_ways(

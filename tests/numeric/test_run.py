@@ -262,6 +262,7 @@ def test_an_event_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
         assert [row[0] for row in rows] == sorted({row[0] for row in rows})
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("how", [(), ("--python",), ("--method", "radau5"), ("--method", "rk4", "--step", "0.07")])
 @pytest.mark.parametrize(
     ("until", "time"),

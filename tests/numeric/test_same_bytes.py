@@ -34,6 +34,7 @@ def emitted(spec: str, folder: Path, seed: str) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_same_bytes(name: str, tmp_path: Path) -> None:
     elsewhere = tmp_path / "a folder" / "another name.yml"

@@ -225,6 +225,7 @@ scenes:
 """
 
 
+@pytest.mark.slow
 def test_a_stiff_support_and_a_large_radius_go() -> None:
     ladder = simplify(source(RAIL), "down", TOLERANCE)
     first, last = ladder.rungs[0].size, ladder.rungs[-1].size
@@ -235,6 +236,7 @@ def test_a_stiff_support_and_a_large_radius_go() -> None:
     check_last(ladder, RAIL)
 
 
+@pytest.mark.slow
 def test_stiff_tyres_become_rigid_wheels() -> None:
     """The limit of its tyres is the ladder's next vehicle: the same motion, though neither tyre alone may go."""
     tyres = read(str(spec_path("ladder/relaxing_tyres")))

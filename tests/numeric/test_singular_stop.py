@@ -36,6 +36,7 @@ def follow(source: Source, scene: str, formulation: str = "", method: str = "dop
     return run(job, Settings(method, points=31, **more))  # type: ignore[arg-type]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("formulation", ["", "voronec", "multipliers"])
 @pytest.mark.parametrize(
     ("method", "step"), [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.1), ("rk4", 0.013)]
@@ -74,6 +75,7 @@ scenes: {in: {initial: {x: START, y': START}, time: [0, 5]}, out: {initial: {x: 
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("formulation", ["", "voronec", "multipliers"])
 @pytest.mark.parametrize(("method", "start"), [("auto", "1"), ("auto", "1e4"), ("dop853", "1e-3"), ("radau5", "1")])
 def test_no_run_through_a_place_where_a_constraint_vanishes(formulation: str, method: str, start: str) -> None:
@@ -86,6 +88,7 @@ def test_no_run_through_a_place_where_a_constraint_vanishes(formulation: str, me
     assert follow(source, "out", formulation, method).ended == "done"
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["dop853", "dopri5"])
 def test_what_comes_to_rest_keeps_its_size_through_all_parts_of_a_run(method: str, compiled: bool) -> None:
@@ -186,6 +189,7 @@ def cranks(unit: float = 1.0, factor: float = 1.0) -> Source:
     )
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("unit", "factor"), [(1.0, 1.0), (1e6, 1.0), (1.0, 1e-5)])
 @pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.1)])
 def test_no_run_through_a_loss_of_rank_of_many_rows(method: str, step: float, unit: float, factor: float) -> None:
@@ -298,6 +302,7 @@ scenes: {{go: {{initial: {{x: 1, th: 0.4, x': 1}}, time: [0, 5]}}}}
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("formulation", ["auto", "voronec", "multipliers"])
 @pytest.mark.parametrize(("factor", "stops"), [("x", True), ("x*sin(t/2)^2", True), ("exp(-9*x)", False)])
 def test_a_constraint_that_vanishes_as_a_whole_ends_the_run(
@@ -312,6 +317,7 @@ def test_a_constraint_that_vanishes_as_a_whole_ends_the_run(
     assert (out == "") is stops
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("formulation", ["auto", "voronec", "multipliers"])
 @pytest.mark.parametrize("factor", ["k", "k^2", "sin(k)^3", "k^2*x"])
 def test_a_constraint_with_a_parameter_in_front_that_is_zero_in_a_scene(

@@ -56,6 +56,7 @@ def station(angle: float, rate: float, far: float = 1.5e11) -> Source:
     return Source("station.yaml", STATION.format(angle=angle, rate=rate, far=far, slow=far / 5e6))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_an_angle_beside_a_far_position(method: str, compiled: bool, swung: tuple[float, float, float]) -> None:

@@ -153,6 +153,7 @@ def test_any_right_side_is_solved(case: Tree) -> None:
     assert are_equal(g, *residuals(found, tree))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("seed", "base", "frame"), [*((s + 10, b, f) for s, b, f in KINDS), (15, "driven", "space")])
 def test_accelerations_are_those_of_newton_and_euler(seed: int, base: str, frame: str) -> None:
     case = Tree(seed, 6, base=base, frame=frame)
@@ -211,6 +212,7 @@ def test_axes_are_followed_to_any_depth() -> None:
     assert long / 34 < 1.1 * short / 12
 
 
+@pytest.mark.slow
 def test_of_two_recursions_that_start_from_as_much_the_shorter_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     """T's own forms are a little fewer operations than the bodies' are from 13 hinges on, and what is solved is twice as much.
 

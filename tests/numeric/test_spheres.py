@@ -160,6 +160,7 @@ LENGTHS = [
 """Of rods: multiples of one another, which no unit of parameters makes equal."""
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("lengths", LENGTHS, ids=" ".join)
 @pytest.mark.parametrize("base", ["fixed", "cart"])
 @pytest.mark.parametrize("by", ["positions", "energies"])

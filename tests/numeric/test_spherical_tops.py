@@ -74,6 +74,7 @@ def test_the_rates_are_the_same(name: str) -> None:
     assert are_equal(without, transplant(short, with_all, without), long)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_jacobian_is_that_of_the_rates(name: str) -> None:
     source = Source("s.yaml", SYSTEMS[name])

@@ -118,6 +118,7 @@ def operations(program: Program) -> int:
 SUMS, PIECES = ("shared sums",), ("shared sums", "pieces")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("name", "most", "longer", "others"),
     [

@@ -248,6 +248,7 @@ scenes: {a: {initial: {x: 1, y: 0.5, x': 0.3, y': 3}, time: [0, 10]}}
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("text", [ENGINE, TABLE])
 def test_the_balance_of_a_motion_that_is_driven_fast(text: str) -> None:
     """Over equally spaced rows the power of 1000 and 50 rad/s looks slow, and every second row agrees: 1.0 and 1.2 were told."""
@@ -257,6 +258,7 @@ def test_the_balance_of_a_motion_that_is_driven_fast(text: str) -> None:
     assert tree(found)["drift"][0]["quantities"][0]["resolved"]
 
 
+@pytest.mark.slow
 def test_the_balance_of_a_motion_that_jumps() -> None:
     """Van der Pol's oscillator leaps between any two rows; the steps are short there."""
     text = "nhc: 1\nsystem: vdp\ncoordinates: [x]\nT: x'^2/2\nV: x^2/2\nforces: {x: 100*(1 - x^2)*x'}\n"
@@ -623,6 +625,7 @@ scenes: {{go: {{initial: {{r: {r!r}, phi': {rate!r}}}, time: [0, {end!r}]}}}}
 """
 
 
+@pytest.mark.slow
 def test_an_orbit_is_the_same_in_metres_and_in_radii(tmp_path: Path) -> None:
     """Sizes of components that differ by 1e18, and two that stay zero, make no growth and hide no drift."""
     found = []

@@ -173,6 +173,7 @@ def test_a_zero_that_rounding_has_parted_is_zero() -> None:
     assert eigenvalues(found) == pytest.approx([0, 0, 0], abs=1e-12)
 
 
+@pytest.mark.slow
 def test_the_top_of_a_growth_that_shrinks_again() -> None:
     """Past a near collision, 2e8 times as large for a moment: the variational equations with the emitted Jacobian say so, too."""
     found = look(KEPLER)

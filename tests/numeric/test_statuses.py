@@ -79,6 +79,7 @@ def ask_python(module: ModuleType, function: str, arguments: list[Any]) -> int:
     return 0
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(("name", "formulation"), cases(NAMES))
 def test_no_number_has_the_same_status_everywhere(name: str, formulation: str, tmp_path: Path) -> None:
     compiled = [load_c(name, formulation, trig, tmp_path / f"c{trig}") for trig in ("", "inline")]

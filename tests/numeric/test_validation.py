@@ -146,6 +146,7 @@ def test_an_error_on_the_way_is_told(
 # --- the models of scenes -----------------------------------------------------------------------------------
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 def test_of_every_scene_of_the_gallery(path: Path) -> None:
     source = read(str(path))

@@ -109,6 +109,7 @@ def evaluate(library: ctypes.CDLL, chain: Program, y: list[float]) -> dict[str, 
     return found
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("name", "width"), [*((name, 2) for name in CHAINS), seldom("joints8", 1), ("pendulum20", 4)])
 def test_loops_give_the_same_doubles(name: str, width: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     chain = program(name)

@@ -85,6 +85,8 @@ def test_null_leaves_out_what_the_base_has(tmp_path: Path) -> None:
     middle = "nhc: 1\nextends: base.yaml\nV: null\nforces: null\n"
     own = "nhc: 1\nextends: middle.yaml\nscenes: {go: ~, stay: {initial: {x: Null}}}\nparameters: {k: null}\n"
     own += "define: {s: x}\noutputs: {sum: null}\n"
+    own += "bodies: {wheel: null}\n"  # with the last one goes what they stand in
+    base += "bodies: {wheel: {mass: m, at: [x, y]}}\n"
     spec = decode(read(put(tmp_path, base=base, middle=middle, own=own) / "own.yaml"))
     assert spec.potential is None
     assert not spec.forces
@@ -107,6 +109,12 @@ def test_what_no_base_has_cannot_be_left_out(tmp_path: Path) -> None:
     missing = [f"no base has `{name}` here, so that it cannot be left out" for name in "Vyx"]
     assert [text for _, text in found] == [*missing, "empty value of `sum`"]
     assert [place for place, _ in found] == ["own.yaml:3:4", "own.yaml:4:28", "own.yaml:4:66", "own.yaml:5:11"]
+    other = "nhc: 1\nextends: middle.yaml\nV: null\nU: x^2\nconstraints: [null]\n"  # only what is given is another form
+    found = messages(put(tmp_path, other=other) / "other.yaml")
+    assert [text for _, text in found] == [
+        "no base has `V` here, so that it cannot be left out",
+        "empty entry of a list",
+    ]
     alone = BASE.replace("k: 3", "k: null").replace("[sum]", "[sum, null]")
     found = messages(put(tmp_path, alone=alone) / "alone.yaml")
     assert [text for _, text in found] == ["empty value of `k`", "empty entry of a list"]

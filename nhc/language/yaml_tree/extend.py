@@ -7,7 +7,6 @@ has one of several forms (``U`` or ``V``, a body's ``turns`` or ``rotation``), t
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -78,19 +77,21 @@ def merge_bases(source: Source, root: Table, bag: Bag) -> Table:
     made = tables[-1]
     for table in reversed(tables[:-1]):
         made = _merge_roots(made, table)
-    for key, node in _nulls_of(made):
-        help = "give it a value, or remove it: `null` leaves out what a base has"
-        bag.error("E0109", f"no base has `{key.value}` here, so that it cannot be left out", node.span, help=(help,))
-    return replace(made, span=root.span)
+    return replace(_without_nulls(made, bag), span=root.span)
 
 
-def _nulls_of(table: Table) -> Iterator[tuple[Text, Node]]:
-    """The entries that are to be left out, at every depth of mappings."""
+def _without_nulls(table: Table, bag: Bag) -> Table:
+    """The table without what is to be left out and is in no base, at every depth of mappings."""
+    entries = []
     for key, node in table.entries:
         if is_null(node):
-            yield key, node
-        elif isinstance(node, Table):
-            yield from _nulls_of(node)
+            help = "give it a value, or remove it: `null` leaves out what a base has"
+            bag.error(
+                "E0109", f"no base has `{key.value}` here, so that it cannot be left out", node.span, help=(help,)
+            )
+        else:
+            entries.append((key, _without_nulls(node, bag) if isinstance(node, Table) else node))
+    return replace(table, entries=tuple(entries))
 
 
 def _merge_roots(base: Table, own: Table) -> Table:
@@ -122,6 +123,8 @@ def _merge(base: Table, own: Table, rates: frozenset[str], path: tuple[str, ...]
         key, value = new.pop(name)
         if isinstance(node, Table) and isinstance(value, Table):
             merged: Node = _merge(node, value, rates, (*path, name))
+            if not path and node.entries and merged == Table((), value.span):
+                continue  # a section of which all is left out is left out itself
         else:
             merged = value
         if not is_null(merged):
@@ -132,7 +135,8 @@ def _merge(base: Table, own: Table, rates: frozenset[str], path: tuple[str, ...]
 def _replaced(own: Table, path: tuple[str, ...]) -> set[str]:
     """Keys of the base for which the spec has another form."""
     forms = forms_at(path)
-    meant = [form for form in forms if any(own.get(key) is not None for key in form)]
+    given = [text.value for text, node in own.entries if not is_null(node)]
+    meant = [form for form in forms if any(key in given for key in form)]
     return {key for form in forms if meant and form not in meant for key in form}
 
 

@@ -288,7 +288,7 @@ def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) 
         span = node.span if node.span.end > node.span.start else place
         after_colon = source.text[place.end :].lstrip(" ").startswith(":")
         help = "give it a value, or remove it"
-        if span == place and not after_colon:
+        if span == place and not after_colon and not is_null(node):
             pair = re.fullmatch(r"([\w']+?)\s*[=:]\s*(\S.*)", source.text[place.start : place.end])
             help = f"commas separate entries here: {_COMMAS}"
             if pair:
