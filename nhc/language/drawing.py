@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 
 from nhc.diagnostics import Bag, quote
-from nhc.language.expressions.syntax import Syntax
+from nhc.language.expressions.syntax import Negate, Number, Syntax
 from nhc.language.keys import CIRCLE_KEYS, DRAW_KEYS, DRAWN_BODY_KEYS
 from nhc.language.shape import Shapes
 from nhc.language.spec import FIGURES, Figure, Place
@@ -108,6 +109,17 @@ class _Drawing:
         size = self.read(radius) if radius is not None else None
         if not points or size is None or axis is None:
             return None
+        length = _written(size)
+        if length is not None and length < 0:
+            self.bag.error("E0313", "the radius of a circle is negative", size.span, help=("write its length",))
+        if axis and all(_written(tree) == 0 for tree in axis):
+            at = normal.span if normal is not None else key.span
+            self.bag.error(
+                "E0313",
+                "a normal of zeros has no direction",
+                at,
+                help=("write `[0, 0, 1]` for a circle that lies flat",),
+            )
         return Figure("circle", name, key.span, points, radius=size, normal=axis)
 
     def _body(self, node: Node, key: Text, name: str) -> Figure | None:
@@ -159,3 +171,13 @@ class _Drawing:
         trees = tuple(self.read(item) for item in items.items)
         known = tuple(tree for tree in trees if tree is not None)
         return known if len(known) == len(trees) else None
+
+
+def _written(tree: Syntax) -> Fraction | None:
+    """The value of a number that is written out."""
+    match tree:
+        case Number():
+            return tree.value
+        case Negate(operand=Number(value=value)):
+            return -value
+    return None
