@@ -20,8 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
 from nhc.language import Spec, decode
-from nhc.language.units.primes import warn_lost_primes
-from nhc.language.units.scales import warn_of_scales
+from nhc.language.units.warnings import warn_of_units
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation, formulate
 from nhc.mechanics.formulate import equations_of
@@ -183,8 +182,7 @@ def check(source: Source, *, explain: bool = True) -> Report:
         check_starts(planner, bag)
     except SpecError as error:
         bag.extend(error.diagnostics)
-    warn_lost_primes(spec, bag)
-    warn_of_scales(spec, bag)
+    warn_of_units(spec, bag)
     bag.raise_if_errors()
     warn_as_given(planner, bag)
     facts = describe(system, formulation, bag, explain=explain)

@@ -18,7 +18,12 @@ _FAR = 100.0  # times the accuracy: what a long run may well add up to
 _COARSE = 0.1  # of its size, in steps that nothing but the user's word holds
 
 
-def tell_energy(job: Job, rows: Sequence[Sequence[float]], tolerance: float) -> tuple[str, ...]:
+def tell_conserved(job: Job, rows: Sequence[Sequence[float]], tolerance: float, event: bool) -> tuple[str, ...]:
+    """Notes on the energy in the rows and, where the run ended by its ``event``, on that; ``tolerance``: 0 of fixed steps."""
+    return (*_tell_energy(job, rows, tolerance), *(_tell_event(job) if event else ()))
+
+
+def _tell_energy(job: Job, rows: Sequence[Sequence[float]], tolerance: float) -> tuple[str, ...]:
     """A note where the energy among the columns changes by far more than ``tolerance`` (0: of fixed steps), and should not.
 
     It is compared with itself, and with T and V at the start, which may cancel.
@@ -47,7 +52,7 @@ def tell_energy(job: Job, rows: Sequence[Sequence[float]], tolerance: float) -> 
     )
 
 
-def tell_constant_event(job: Job) -> tuple[str, ...]:
+def _tell_event(job: Job) -> tuple[str, ...]:
     """A note where what has ended a run is a constant of the motion."""
     recipe, system = job.recipe, job.system
     if recipe is None or recipe.event is None:

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from nhc.program.runs.limits import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
-from nhc.simulate.drifting import tell_constant_event, tell_energy
+from nhc.simulate.drifting import tell_conserved
 from nhc.simulate.halving import REFERENCE, find_step
 from nhc.simulate.methods import is_adaptive
 from nhc.simulate.outcomes import describe_outcome, describe_valueless
@@ -152,9 +152,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         )
     if adaptive and settings.step <= 0 and method not in PEERS and found.ended == "done":
         notes += _tell_short_end(found, task)
-    notes += tell_energy(job, found.rows, tolerance if settings.step <= 0 else 0.0)
-    if found.ended == "event":
-        notes += tell_constant_event(job)
+    notes += tell_conserved(job, found.rows, tolerance if settings.step <= 0 else 0.0, found.ended == "event")
     return replace(found, seconds=seconds, notes=(*dict.fromkeys((*workshop.notes, *notes, *follower.notes)),))
 
 
