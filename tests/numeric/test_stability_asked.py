@@ -48,6 +48,25 @@ scenes:
 """
 """x' is no velocity in which a bend is steady."""
 
+CART = """nhc: 1
+system: cart
+coordinates: [x, y, th, fl, fr, be]
+parameters: {r: 0.15, b: 0.28, lp: 0.2, d: 0.02}
+bodies:
+  axle: {at: [x, y, r], turns: [{z: th}], mass: 12, inertia: [0.1, 0.1, 0.7]}
+  left: {parent: axle, at: [0, b, 0], turns: [{y: fl}], mass: 1.1, inertia: [0.006, 0.012, 0.006]}
+  right: {parent: axle, at: [0, -b, 0], turns: [{y: fr}], mass: 1.1, inertia: [0.006, 0.012, 0.006]}
+  load: {parent: axle, at: [0, 0, 0.8], turns: [{x: be}], mass: 0.8, centre: [0, 0, -lp]}
+points:
+  pl: {parent: axle, of: left, at: [0, b, -r]}
+  pr: {parent: axle, of: right, at: [0, -b, -r]}
+gravity: [0.5, 0, -9.8]
+constraints: [pl_v1 = 0, pr_v1 = 0, pl_v2 = 0]
+forces: {fl: -d*fl', fr: -d*fr', be: -d*be'}
+scenes: {go: {initial: {th': 0.3, be: 0.4, fl: 0, x': 0}, time: [0, 2]}}
+"""
+"""Of the start that keeps to its constraints x' is zero but for rounding."""
+
 TURNTABLE = """nhc: 1
 system: turntable
 coordinates: [x, y, th]
@@ -131,6 +150,12 @@ def test_what_of_the_motion_has_gone_is_said() -> None:
     found = look(SLOPE)
     assert found.motion is not None and found.motion.halted
     assert any("s' = 2 has become 0" in line and "not the motion of the scene" in line for line in lines(found))
+
+
+def test_a_zero_that_was_given_has_not_gone() -> None:
+    found = look(CART)
+    assert found.motion is not None
+    assert [text.split(" has")[0] for text in found.motion.lost] == ["th' = 0.3"]
 
 
 def test_a_bend_is_found_in_axes_that_turn_with_it() -> None:

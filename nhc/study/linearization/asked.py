@@ -10,6 +10,7 @@ import numpy as np
 
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
+from nhc.language.expressions.syntax import Number
 from nhc.language.spec import Initial, Scene
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.linearize import quantity
@@ -169,9 +170,13 @@ def _kinetic(flow: Flow) -> Node:
 
 
 def _asked(model: SteadyModel, scene: Scene, guess: Sequence[float]) -> list[tuple[Initial, Hold]]:
-    """The velocities that were given, as they are in the guess; zeros are what nobody gives a thought."""
+    """The velocities that were given, as they are in the guess; zeros are what nobody gives a thought, also where the rounding of
+    a start that keeps to the constraints is in them.
+    """
     found = list[tuple[Initial, Hold]]()
     for entry in scene.initial:
+        if isinstance(entry.value, Number) and not entry.value.value:
+            continue
         name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
         node = None if entry.kind == "coordinate" else quantity(model.flow, name)
         value = 0.0 if node is None else model.value(guess, node)
