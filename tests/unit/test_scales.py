@@ -52,6 +52,14 @@ def test_units_that_go_together_or_are_converted(units: str, wave: str) -> None:
     assert told(units, wave) == []
 
 
+@pytest.mark.parametrize("value", ["pi/180", "0.0174533", "{value: pi/180, unit: 1}"])
+def test_a_parameter_may_convert(value: str) -> None:
+    text = SPEC.replace("{m: {", f"{{deg: {value}, m: {{")
+    for key, word in zip(KEYS, ("m", "deg", "kg", "N/m", "1/s", "kg*m^2", "sin(th*deg)"), strict=True):
+        text = text.replace(key, word)
+    assert check(Source("spec.yaml", text), explain=False).diagnostics == ()
+
+
 @pytest.mark.parametrize(
     ("units", "wave", "message", "help"),
     [

@@ -42,7 +42,7 @@ def warn_of_scales(spec: Spec, bag: Bag) -> None:
         if dimension != ONE:
             rows.append((dimension, scale))
         elif any(scale):
-            if not any(_converts(tree, scale) for tree in _expressions(spec)):
+            if not any(_converts(number, scale) for number in _numbers(spec)):
                 _warn(one, declared, scale, bag)
             return
 
@@ -56,23 +56,26 @@ def _reduce(row: _Row, rows: list[_Row]) -> _Row:
     return row
 
 
-def _expressions(spec: Spec) -> Iterator[Syntax]:
-    """All that a conversion could stand in."""
-    yield spec.kinetic
-    if spec.potential is not None:
-        yield spec.potential
-    yield from (value for _, value in spec.named_values)
-    yield from (item.value for item in (*spec.forces, *spec.outputs))
-    yield from (side for row in spec.constraints for side in (row.left, row.right))
-    yield from (side for row in spec.holonomic for side in (row.left, row.right))
+def _numbers(spec: Spec) -> Iterator[Fraction]:
+    """All that could convert a unit: numbers in expressions, and values of parameters without a unit, as of ``deg: pi/180``."""
+    trees: list[Syntax] = [spec.kinetic, *(value for _, value in spec.named_values)]
+    trees += [tree for tree in (spec.potential,) if tree is not None]
+    trees += [item.value for item in (*spec.forces, *spec.outputs)]
+    trees += [side for row in spec.constraints for side in (row.left, row.right)]
+    trees += [side for row in spec.holonomic for side in (row.left, row.right)]
+    for value in (one.value for one in spec.parameters if one.unit in ("", "1")):
+        if isinstance(value, Fraction):
+            yield value
+        elif value is not None:
+            trees.append(value)
+    yield from (node.value for tree in trees for node in walk(tree) if isinstance(node, Number))
 
 
-def _converts(tree: Syntax, scale: Scale) -> bool:
-    """Whether a number stands in an expression that converts what has this scale, or a square or cube of it."""
+def _converts(number: Fraction, scale: Scale) -> bool:
+    """Whether a number converts what has this scale, or a square or cube of it."""
     size = abs(math.log(factor(scale)))
     known = [size, size / 2, size / 3, size + math.log(math.pi), size + math.log(2 * math.pi)]  # 180 and 360 in pi/180
-    numbers = (float(abs(node.value)) for node in walk(tree) if isinstance(node, Number) and node.value)
-    return any(abs(abs(math.log(number)) - wanted) < _CLOSE for number in numbers for wanted in known)
+    return number != 0 and any(abs(abs(math.log(abs(number))) - wanted) < _CLOSE for wanted in known)
 
 
 def _warn(one: Coordinate | Parameter, declared: list[Coordinate | Parameter], scale: Scale, bag: Bag) -> None:
