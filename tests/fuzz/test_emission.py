@@ -18,6 +18,7 @@ SIZE = int(os.environ.get("NHC_TEST_SIZE", "1"))
 BATCH = 13
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("first", range(0, 2 * BATCH * SIZE, BATCH))
 def test_formulations_and_back_ends_agree(first: int, tmp_path: Path) -> None:
     between, back_ends = run_batch(range(first, first + BATCH), tmp_path)

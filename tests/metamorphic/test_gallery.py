@@ -127,6 +127,7 @@ def test_changes_leave_the_motion_of_random_specs(seed: int, n: int) -> None:
     check_draft(take_apart(source_of(write_spec(rng, "drawn", n))), rng, count=1)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", EXACT)
 def test_changes_leave_the_motion_of_the_gallery_exactly(name: str) -> None:
     draft, rng = draft_of(name), random.Random(name)

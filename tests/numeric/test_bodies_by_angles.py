@@ -170,6 +170,7 @@ def test_vectors_that_only_look_like_turned_ones_are_not_taken_for_such(far: str
         assert are_equal(g, Elimination(chain).rates, dense)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("kind", "joints", "each"), [("relative", 2, 790), ("absolute", 3, 620)])
 def test_the_work_is_linear(kind: str, joints: int, each: int) -> None:
     sizes = {}

@@ -284,6 +284,7 @@ def test_any_right_side_is_solved(text: str) -> None:
     assert are_equal(g, tree.solve(right), dense(found, right))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("text", CASES)
 def test_the_residual_is_the_force_without_that_of_the_mass_matrix(text: str) -> None:
     found, tree = made(text)

@@ -622,6 +622,7 @@ def test_rational_relations_are_read_off_residues() -> None:
     assert without([vector], []) == [vector]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", GALLERY)
 def test_facts_are_the_same_as_lines_and_data(name: str) -> None:
     facts = facts_of(name)

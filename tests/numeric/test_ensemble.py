@@ -230,6 +230,7 @@ def test_what_only_a_row_can_lose_is_watched(
     assert "start 2 fails" in rows and "start 1 fails" not in rows and says in rows
 
 
+@pytest.mark.slow
 def test_a_start_whose_end_is_out_of_reach_is_given_up() -> None:
     """At 1e10 radians per second it takes 1e10 steps: lanes see it as a single run does, and the others go on."""
     text = (

@@ -144,6 +144,7 @@ def test_what_begins_at_zero_but_for_rounding_leaves_it(method: str, step: float
     assert found.times[-1] == pytest.approx(2 * math.atan2(0.5, 0.6), abs=1e-7)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [False, True])
 @pytest.mark.parametrize(("method", "step"), METHODS)
 def test_a_pole_where_two_steps_meet_is_none(method: str, step: float, compiled: bool) -> None:

@@ -298,6 +298,7 @@ def test_scenes_drivers_and_runs_pass_by(tmp_path: Path) -> None:
             assert error(reduced._outputs_exchanged(0.0, [y[k] for k in kept], reduced.DEFAULTS), outputs) < 1e-5
 
 
+@pytest.mark.slow
 def test_a_warning_names_the_determinant_once() -> None:
     found = check(case(*CASES[1]).source)
     assert [d.code for d in found.diagnostics].count("W0408") <= 1

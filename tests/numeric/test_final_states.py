@@ -15,6 +15,7 @@ FINAL = {entry["system"]: entry for entry in reference("final_states")}
 TOLERANCE = 1e-8
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", sorted(FINAL))
 def test_python_with_scipy(name: str) -> None:
     entry, model = FINAL[name], emitted_python(name)
@@ -27,6 +28,7 @@ def test_python_with_scipy(name: str) -> None:
     assert error(model.velocities(entry["t_end"], found), entry["v_end"]) < TOLERANCE
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", sorted(FINAL))
 def test_the_c_driver(name: str, tmp_path: Path) -> None:
     files = emitted(name, "c", Options(driver=True))

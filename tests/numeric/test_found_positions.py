@@ -191,6 +191,7 @@ CASES = [
 ]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("family", "count", "by", "longer"), CASES)
 def test_it_is_the_system_of_its_positions_and_as_short(family: str, count: int, by: str, longer: float) -> None:
     """``longer``: operations against those of the positions."""

@@ -327,6 +327,7 @@ scenes: {{a: {{initial: {{x: 1, y': 1}}, time: [0, 5]}}}}
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize(
     ("force", "method", "step", "changes"),

@@ -147,6 +147,7 @@ def test_an_event_of_what_waits(method: str) -> None:
     assert compiled.outcome.y[3] == pytest.approx(0.4, abs=1e-9)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("method", EXPLICIT)
 @pytest.mark.parametrize("name", ["followers", "free_point", "rolling_disk"])
 def test_lanes_too(name: str, method: str) -> None:

@@ -72,6 +72,7 @@ def draw_state(rng: numpy.random.Generator) -> tuple[numpy.ndarray, numpy.ndarra
     return th, rates
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("formulation", ["voronec", "multipliers"])
 @pytest.mark.parametrize("last", [0.0, 1e-12, 1e-8, 0.5])
 def test_a_light_rod_that_is_pinned(last: float, formulation: str, tmp_path_factory: pytest.TempPathFactory) -> None:

@@ -124,6 +124,7 @@ def test_the_bicycle_has_the_published_speeds_of_weave_and_capsize() -> None:
     assert capsize.frequency == 0 and capsize.unstable_above
 
 
+@pytest.mark.slow
 def test_two_real_eigenvalues_that_meet_are_no_crossing() -> None:
     """At 0.684 m/s two growing real eigenvalues of the bicycle become the weave pair; nothing crosses the axis."""
     found = find("bicycle", STRAIGHT, "voronec", sweep=("speed", 0.4, 1.2, 5))
@@ -1002,6 +1003,7 @@ def test_what_hidden_constraints_hold_stays_what_it_was() -> None:
     assert lifted.linearisation.steady.y[2] == pytest.approx(-0.301, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_a_crossing_takes_few_steady_motions(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two crossings, and a pair that becomes real without crossing: some ten looks each, where bisection took fifty."""
     looks: list[float] = []

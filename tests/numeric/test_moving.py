@@ -378,6 +378,7 @@ quasi_velocities:
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("sign", ["sign(K)", "abs(K)/K", "sqrt(K^2)/K"])
 @pytest.mark.parametrize("name", ["q1", "p", "r", "b", "kk"])
 def test_a_quasi_velocity_with_a_sign_is_not_taken_for_the_component_without_it(name: str, sign: str) -> None:

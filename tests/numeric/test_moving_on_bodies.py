@@ -82,6 +82,7 @@ def cost(system: System) -> tuple[int, int]:
     return _route(system, formulation, kinetic).cost(g), _route(system, formulation, kinetic, moved).cost(g)
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("surface", SURFACES)
 @pytest.mark.parametrize("seed", range(4))
 def test_rolling_bodies(surface: str, seed: int) -> None:

@@ -63,6 +63,7 @@ def test_a_cart_on_a_slope_carries_rods(x: str, y: str) -> None:
 ROWS = ("s' = 0.3*t", "s' = 0", "s' = 0.2", "y1' = 0.3*t", "x2' = s*t")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("count", "row"), [*((4, row) for row in ROWS), (6, ROWS[0]), *(seldom(6, row) for row in ROWS[1:])]
 )

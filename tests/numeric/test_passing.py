@@ -67,6 +67,7 @@ PASSED = {
 }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("potential", PASSED)
 def test_a_place_that_is_short_beside_the_motion(potential: str) -> None:
     found = go(potential)
@@ -193,6 +194,7 @@ def test_a_place_that_is_passed_again_and_again(potential: str) -> None:
     assert found.rows[-1] == pytest.approx([float(v) for v in short.y[:, -1]], rel=1e-5, abs=1e-5)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "radau5"])
 @pytest.mark.parametrize("compiled", [True, False])
 def test_every_adaptive_method_with_and_without_a_compiler(method: str, compiled: bool) -> None:
@@ -225,6 +227,7 @@ scenes:
     return run(open_scene(Source("pushed.yaml", text)), settings).rows[-1]
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     "force", ["exp(-(sin(pi*t)/0.01)^2)", "max(0, sin(2*pi*t) - 0.999)", "(1 + sign(sin(2*pi*t) - 0.999))/2"]
 )

@@ -178,6 +178,7 @@ def test_the_emitted_double_pendulum_hangs_straight() -> None:
     assert all(map(math.isfinite, module.rhs(0.0, y)))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("count", [5, 9, 12])
 @pytest.mark.parametrize("axes", ["xy", "xyz"])
 def test_long_chains_of_rods_between_points_hang_at_rest(count: int, axes: str) -> None:

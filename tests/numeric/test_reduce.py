@@ -227,6 +227,7 @@ def test_a_sign_is_a_dependence_though_its_slope_is_zero() -> None:
     assert made.reduction.state == ("y", "y'")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("force", "need", "state"),
     [
@@ -265,6 +266,7 @@ scenes:
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "force",
     [
@@ -378,6 +380,7 @@ def test_the_jacobian_of_a_reduced_model_is_that_of_its_rates(name: str) -> None
         assert error([row[j] for row in found], [(a - b) / (2 * step) for a, b in zip(up, down, strict=True)]) < 1e-7
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("name", "scene"), [("ball_on_table", "modulated"), ("rolling_disk", "lean"), ("holonomic_pendulum", "reference")]
 )
@@ -396,6 +399,7 @@ def test_c_driver_prints_what_is_needed(name: str, scene: str, tmp_path: Path) -
     assert error(*ends) < 1e-8
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("name", "scene", "states"),
     [

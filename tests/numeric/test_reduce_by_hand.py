@@ -169,6 +169,7 @@ def test_folded_values_stand_in_the_code_as_numbers() -> None:
     assert error(model.rhs(0.0, [0.2, 0.4], wrong), [0.4, -0.3]) < 1e-15
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("text", "scene"),
     [(PARABOLA, "slide"), (PARABOLA, "beside"), (CENTRAL, "angle"), (CENTRAL, "driven"), (TABLE, "roll")],

@@ -37,6 +37,7 @@ scenes:
 """
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", METHODS)
 def test_a_body_is_pushed_from_rest(method: str, compiled: bool) -> None:
@@ -278,6 +279,7 @@ def shaken(w: float, f: float, t: float) -> tuple[float, float]:
     return place, (math.sin(w * t + f) - math.sin(f)) / w
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", [m for m in RUNGE_KUTTA if is_adaptive(m)])
 def test_sizes_that_do_not_come_are_taken_back(method: str, compiled: bool) -> None:

@@ -84,6 +84,7 @@ def test_c_and_python_take_the_same_steps(method: str) -> None:
             assert distance(list(a), list(b)) < 1e-11
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("entry", reference("final_states"), ids=lambda e: e["system"])
 def test_the_tolerance_is_honoured_at_the_end(entry: dict[str, Any]) -> None:
     """By the default formulation and method, where the motion does not magnify errors by itself."""

@@ -327,6 +327,7 @@ scenes:
 """
 
 
+@pytest.mark.slow
 def test_coordinates_that_only_together_may_go_are_tried_together() -> None:
     text = TWO_SPRINGS
     ladder = simplify(source(text), "swing", 0.3)
@@ -453,6 +454,7 @@ scenes: {slow: {initial: {x: 1, y: 1}, time: [0, 10]}}
 """
 
 
+@pytest.mark.slow
 def test_what_is_not_confirmed_bars_nothing() -> None:
     """Without the damper, coarse steps of radau5 damp what finer ones do not; it goes first, and stays at last.
 

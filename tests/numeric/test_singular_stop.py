@@ -344,6 +344,7 @@ MULTIPLIED_OUT = {
 }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("formulation", ["auto", "multipliers"])
 @pytest.mark.parametrize("factor", MULTIPLIED_OUT)
 def test_a_shared_factor_that_was_multiplied_out_ends_the_run(

@@ -94,6 +94,7 @@ def test_lanes_and_drivers_hold_it_too(tmp_path: Path, swung: tuple[float, float
     assert float(last[2]) == pytest.approx(end, abs=1e-7 * max(angle, rate / 3))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("method", ADAPTIVE)
 def test_the_unit_of_a_length_changes_nothing(method: str) -> None:
     """The same motion in five units: rows agree to the tolerance, and steps are about as many."""
@@ -140,6 +141,7 @@ def test_what_is_zero_but_for_rounding_holds_no_step_up(method: str, compiled: b
     assert all(abs(row[0]) < 1e-12 and math.isfinite(row[1]) for row in found.rows)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("method", ["dop853", seldom("dopri5"), "radau5"])
 def test_terms_that_cancel_hold_no_step_up(method: str) -> None:
     """A bicycle next to straight on pitches by 1e-13, out of terms of 1e13 times that, and no move of its small angles tells their

@@ -138,6 +138,7 @@ KINDS = [(0, "fixed", "body"), (1, "fixed", "space"), (2, "free", "body"), (3, "
 CASES = [pytest.param(Tree(s, 3 - s % 2, base=b, frame=f), id=f"{b}-{f}") for s, b, f in KINDS]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("case", CASES)
 def test_the_rates_are_the_dense_ones(case: Tree) -> None:
     found, tree = made(case.text())
@@ -178,6 +179,7 @@ def test_accelerations_are_those_of_newton_and_euler(seed: int, base: str, frame
     assert error([rates[name] for name in speeds], [*start, *np.ravel(own)]) < 1e-11
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("frame", "each"), [("body", 760), ("space", 820)])
 def test_the_work_is_linear(frame: str, each: int) -> None:
     sizes = {}

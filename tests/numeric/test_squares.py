@@ -231,6 +231,7 @@ def arm(count: int, *, by: str) -> str:
     return head + "T: " + " + ".join(terms) + "\n"
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("by", ["masses", "cosines"])
 @pytest.mark.parametrize("count", [2, 4, 6])
 def test_an_arm_by_the_angles_of_its_joints_is_the_arm_of_its_points(count: int, by: str) -> None:

@@ -56,6 +56,7 @@ scenes:
 """
 
 
+@pytest.mark.slow
 def test_changed_values_hold_for_every_study(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """As if the spec said so, also beside a steady motion of another scene; the head lists them."""
     plain, other = tmp_path / "spring.yaml", tmp_path / "other" / "spring.yaml"
@@ -164,6 +165,7 @@ scenes: {ellipse: {initial: {x: 1 + e, y': sqrt((1 - e)/(1 + e))}, time: [0, 20]
 """
 
 
+@pytest.mark.slow
 def test_the_fastest_rate_is_found_where_the_motion_is_fast() -> None:
     """At the pericentre of an ellipse, sqrt(2/(1 - e)^3), which no equally spaced places meet; that is no stiffness."""
     found = stability(Source("kepler.yaml", KEPLER), Question(lengths=1))
@@ -469,6 +471,7 @@ def test_a_scene_that_fails_leaves_what_can_be_said(tmp_path: Path, capsys: pyte
     assert "the run goes on with voronec solved for x'" in out and "leave `--formulation` out" in err
 
 
+@pytest.mark.slow
 def test_what_a_run_does_is_said_where_something_is_weak(tmp_path_factory: pytest.TempPathFactory) -> None:
     """A skater of one's own with a fixed block, drag in syrup, and a system that is sound."""
     folder = tmp_path_factory.mktemp("own")

@@ -134,6 +134,7 @@ def look(text: str, question: Question | None = None, formulation: str = "") -> 
     return stability(Source("spec.yaml", text), question or Question(), Options(formulation=formulation))
 
 
+@pytest.mark.slow
 def test_the_motion_is_that_of_the_velocities_that_the_scene_begins_with() -> None:
     """Voronec's equations, which stand for multipliers, have an equilibrium nearby."""
     found = look(TROLLEY)

@@ -131,6 +131,7 @@ def test_python_changes_where_c_does() -> None:
     assert told[0] == told[1] and abs(c.outcome.steps - python.outcome.steps) <= 3 and apart(c, python) < 1e-6
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("name", "dependent"),
     [  # C4 of the atlas: each of these blocks becomes singular in the scene

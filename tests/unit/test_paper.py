@@ -111,6 +111,7 @@ def test_parts_bring_their_abbreviations() -> None:
             assert not used or name in defined, name
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", GALLERY)
 def test_every_system_has_its_sheets(name: str) -> None:
     made, equations = derive(name)
@@ -271,6 +272,7 @@ def test_sums_that_vanish_are_not_printed() -> None:
     assert found.left == ((g.zero, ()),) and found.right == ((x, (Mark("x"),)),)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["chaplygin_ball", "n_snake3", "snakeboard", "affine_voronec", "rattleback"])
 def test_shorter_parts_keep_every_value(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Exact: before and after differ by what vanishes modulo primes; and there is less to read."""
