@@ -123,6 +123,17 @@ def test_multipliers_where_every_choice_is_singular_on_the_way(text: str) -> Non
     assert formulation.name == "multipliers" and "can reach" in formulation.reason
 
 
+@pytest.mark.parametrize("scenes", [0, 1, 2, 3])
+def test_how_many_scenes_are_alike_does_not_matter(scenes: int) -> None:
+    """A rod flies, and nobody knows along which of its points' coordinates it will lie: four velocities are free."""
+    text = "nhc: 1\nsystem: rod\ncoordinates: [x, y, X, Y, n]\nparameters: {m: 1, M: 2, L: 1.5}\n"
+    text += "T: n'^2/2 + m/2*(x'^2 + y'^2) + M/2*(X'^2 + Y'^2)\nholonomic: [rod: (X - x)^2 + (Y - y)^2 = L^2]\n"
+    one = "{initial: {X: 1.5, y': 1}, time: [0, 5]}"
+    text += "scenes: {" + ", ".join(f"s{k}: {one}" for k in range(scenes)) + "}\n" if scenes else ""
+    formulation = model(Source("rod.yaml", text)).formulation
+    assert formulation.name == "multipliers" and "can reach" in formulation.reason
+
+
 @pytest.mark.parametrize("text", [ROD, CRANK, DOUBLE])
 def test_what_stays_regular_on_all_positions_is_kept(text: str) -> None:
     """The determinants of rods between points are their lengths squared; a crank shorter than its rod keeps cos(b) from zero."""

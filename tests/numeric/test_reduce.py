@@ -26,6 +26,7 @@ from nhc.mechanics.resolving.resolve import resolve
 from nhc.pipeline import Options, emit, program, reduce_scene
 from nhc.program.reduced import build_scene_program
 from nhc.program.scene_model import SceneModel
+from nhc.program.validation.scenes import validate_scene
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
 from nhc.study.chart.measure import sizes_of
@@ -357,6 +358,29 @@ def test_an_integral_without_a_value_at_the_start_gives_no_coordinate(
     end = solve_ivp(by_hand, (0, 0.5), [x, 0.2, 1], "DOP853", rtol=1e-11, atol=1e-12).y[:, -1]
     energy = (1 + slope(end[0]) ** 2) * end[2] ** 2 / 2 + end[1] ** 2 / 2
     assert error(small.outputs(0.5, states[-1], scene.p), [end[0], end[1], energy]) < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("need", "state"),
+    [("x", ("x", "x'")), ("p", ("p", "q")), ("r", ("r",)), ("R_z3", ("R_0", "R_1", "R_2", "R_3", "p", "q"))],
+)
+def test_a_rotation_that_is_left_out_with_what_it_drives(need: str, state: tuple[str, ...]) -> None:
+    """The dropped rows divide by the length of the quaternion, whatever values it is given."""
+    text = f"""nhc: 1
+system: turned
+rotation: {{R: {{velocities: [p, q, r]}}}}
+coordinates: [x, s]
+parameters: {{A: 0.4, C: 0.8, k: 3}}
+T: (A*(p^2 + q^2) + C*r^2)/2 + x'^2/2 + s'^2/2
+V: k/2*x^2
+forces: {{s: R_z3}}
+outputs: {{up: R_z3}}
+scenes:
+  a: {{initial: {{p: 0.1, r: 3, x': 1}}, time: [1, 4], need: [{need.replace("R_z3", "up")}]}}
+"""
+    made = reduce_scene(Source("turned.yaml", text), Options(scene="a"))
+    assert made.reduction.state == state
+    assert validate_scene(made)["rhs"] is True
 
 
 def test_folded_values_reduce_further() -> None:

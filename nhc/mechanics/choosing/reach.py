@@ -43,7 +43,8 @@ def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
 
     Long mechanisms are not walked but those of one degree of freedom, and are not thought to become singular.
     """
-    return any(_becomes_singular_on(system, forms, walk) for walk in _walks(system, _WALKS))
+    count = _WALKS if system.n - system.l <= _FREEDOM else _MORE_WALKS  # walks do not get everywhere with more
+    return any(_becomes_singular_on(system, forms, walk) for walk in _walks(system, count))
 
 
 def _becomes_singular_on(system: System, forms: Sequence[Form], walk: Sequence[Point]) -> bool:
@@ -121,7 +122,8 @@ def _walks(system: System, count: int) -> list[list[Point]]:
     """
     equations = [form.equation for form in system.constraints if form.equation is not None]
     most = _MOST_LED if system.n == system.l + 1 else _MOST_WALKED
-    starts = given_states(system) if equations and system.n <= most else []
+    given = given_states(system) if equations and system.n <= most else []
+    starts = [one for k, one in enumerate(given) if one not in given[:k]]  # a scene that is there twice is one
     if not starts:
         return []
     known: list[tuple[object, list[list[Point]]]] = system.graph.memory.setdefault("walks", [])

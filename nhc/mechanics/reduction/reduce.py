@@ -261,7 +261,9 @@ def _put_best(flow: Flow, model: _Model, i: int, known: Mapping[Node, Interval])
     """The value for one entry that leaves the fewest guards and the shortest expressions; 1 and 2 where 0 is singular."""
     g, symbol = flow.graph, flow.y[i]
     if not any(g.depends(node, g.deps[symbol]) for node in model.nodes):
-        return g.zero, model
+        # what is left out with it divides by the length of a quaternion
+        upright = any(symbol == flow.system.q[rotation.places[0]] for rotation in flow.system.rotations)
+        return g.one if upright else g.zero, model
     first = [g.zero, g.div(g.pi(), g.number(2))] if i < flow.system.n else [g.zero]
     for values in (first, [g.one], [g.number(2)]):
         found = []
