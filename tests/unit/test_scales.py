@@ -45,7 +45,7 @@ def told(units: str, wave: str) -> list[tuple[str, str]]:
         ("m deg kg N/m 1/s kg*m^2", "sin(2*pi*th/360)"),
         ("m deg kg N/m 1/s kg*m^2", "sin(th/57.29578)"),
         ("m rad kg N/m 1/h kg*m^2", "sin(w*t/60/60)"),
-        ("m rad kg N/m 1/s kg*cm^2", "(100*100*th)"),
+        ("m deg kg N/m 1/s kg*m^2", "cos((th + 5)*pi/180)"),
     ],
 )
 def test_units_that_go_together_or_are_converted(units: str, wave: str) -> None:
@@ -85,6 +85,41 @@ def test_units_of_other_scales_are_told(units: str, wave: str, message: str, hel
     ((said, advice),) = told(units, wave)
     assert said == message
     assert help in advice
+
+
+BASE = "nhc: 1\nsystem: s\ncoordinates: {x: {unit: m}, a: {unit: rad}}\nT: m/2*x'^2 + J/2*a'^2\n"
+FORCE = "k: {value: 3, unit: N}"
+MASSES = "m: {value: 1, unit: kg}, J: {value: 1, unit: kg*m^2}"
+
+
+@pytest.mark.parametrize(
+    ("parameters", "rest", "told"),
+    [
+        # a number converts what it multiplies, and nothing else; outputs convert nothing
+        ("k: {value: 3, unit: N/mm}", "V: k/2*x^2\noutputs: {mm: 1000*x}", ["k"]),
+        ("k: {value: 3, unit: N/mm}", "V: 1000*k/2*x^2", []),
+        ("k: {value: 3, unit: kN/m}, l: {value: 200, unit: mm}", "V: 1000*k/2*(x - l*sin(a))^2", ["l"]),
+        ("k: {value: 3, unit: N/m}, l: {value: 200, unit: mm}", "V: k/2*(1000*x - l*sin(a))^2", []),
+        (f"{FORCE}, b: {{value: 3, unit: deg}}, c: {{value: 4, unit: deg}}", "define: {B: b*pi/180}\nV: k*x*sin(B)*cos(c)", ["c"]),
+        ("k: {value: 3, unit: N}, b: {value: 3, unit: deg}", "define: {B: b + 5, C: B*pi/180}\nV: k*x*sin(C)", []),
+        ("k: {value: 1, unit: N/mm}, c: {value: 1000, unit: mm/m}", "V: c*k/2*x^2", []),
+        ("v: {value: 50, unit: km/h}", "scenes: {s: {initial: {x': v/3.6}, time: [0, 1]}}", []),
+        ("v: {value: 50, unit: km/h}", "scenes: {s: {initial: {x': v}, time: [0, 1]}}", ["v"]),
+        (
+            f"{FORCE}, w: {{value: 5, unit: 1/min}}, b: {{value: 1, unit: deg/s}}, l: {{unit: mm}}, L: {{unit: mm}}",
+            "V: k*cos(w*t)*cos(b*t)*(l + L)",
+            ["w", "b", "l"],
+        ),
+        ("p: {value: 2, unit: bar}, A: {value: 3, unit: cm^2}", "forces: {x: p*A}", ["p", "A"]),
+    ],
+)  # fmt: skip
+def test_each_unit_is_told_unless_its_own_numbers_convert_it(parameters: str, rest: str, told: list[str]) -> None:
+    text = f"{BASE}parameters: {{{MASSES}, {parameters}}}\n{rest}\n"
+    found = check(Source("spec.yaml", text), explain=False).diagnostics
+    scales = [one.message for one in found if one.code == "W0430"]
+    assert [message.split("`")[1] for message in scales] == told
+    if "deg/s" in parameters:
+        assert "`b` is in deg/s, and functions of angles take radians" in scales
 
 
 def test_scales_are_those_of_the_international_system() -> None:

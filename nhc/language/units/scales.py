@@ -8,11 +8,9 @@ exist that make every declared unit 1.  In logarithms that is a linear system, w
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label
-from nhc.language.expressions.syntax import Number, Syntax, walk
 from nhc.language.spec import Coordinate, Parameter, Spec
 from nhc.language.units.dimensions import (
     ONE,
@@ -25,61 +23,74 @@ from nhc.language.units.dimensions import (
     parse_unit,
     raise_to,
 )
+from nhc.language.units.factors import Factors
+from nhc.records import record
 
-_TURNED = "deg"
 _CLOSE = 1e-3  # numbers that convert are rounded, as 57.3
+_PI = 3  # the place of pi among the factors of a scale
 
-_Row = tuple[Dimension, Scale]
+
+@record
+class _Row:
+    """A unit as logarithms; ``names``: the quantities it was made of, its own first."""
+
+    dimension: Dimension
+    scale: Scale
+    names: tuple[str, ...]
 
 
 def warn_of_scales(spec: Spec, bag: Bag) -> None:
-    """Add a warning (W0430) where a unit does not go together with those before it, and no expression seems to convert any."""
+    """Add a warning (W0430) for each unit that does not go together with those before it, and that no number seems to convert."""
     entries: tuple[Coordinate | Parameter, ...] = (*spec.coordinates, *spec.parameters)
     declared = [one for one in entries if one.unit]
-    rows: list[_Row] = [(SECOND, parse_scale("s"))]
+    rows = [_Row(SECOND, parse_scale("s"), ())]
+    numbers: dict[str, set[float]] | None = None
+    alone = dict[str, list[Coordinate | Parameter]]()
+    scales = dict[str, Scale]()
     for one in declared:
-        dimension, scale = _reduce((parse_unit(one.unit), parse_scale(one.unit)), rows)
-        if dimension != ONE:
-            rows.append((dimension, scale))
-        elif any(scale):
-            if not any(_converts(number, scale) for number in _numbers(spec)):
-                _warn(one, declared, scale, bag)
-            return
+        left = _reduce(_Row(parse_unit(one.unit), parse_scale(one.unit), (one.name,)), rows)
+        if left.dimension != ONE:
+            rows.append(left)
+        elif any(left.scale) and not _is_number(one):
+            numbers = Factors(spec).applied if numbers is None else numbers
+            found = set[float]().union(*(numbers.get(name, ()) for name in left.names))
+            if not any(_converts(number, left.scale) for number in found):
+                alone.setdefault(one.unit, []).append(one)
+                scales[one.unit] = left.scale
+    for unit, ones in alone.items():
+        _warn(ones, declared, scales[unit], bag)
 
 
 def _reduce(row: _Row, rows: list[_Row]) -> _Row:
     """What is left of a row once the pivots of others, each its first power, are taken out of it."""
-    for dimension, scale in rows:
-        pivot = next(k for k, power in enumerate(dimension) if power)
-        times = -Fraction(row[0][pivot]) / dimension[pivot]
-        row = multiply(row[0], raise_to(dimension, times)), multiply(row[1], raise_to(scale, times))
+    for other in rows:
+        pivot = next(k for k, power in enumerate(other.dimension) if power)
+        times = -Fraction(row.dimension[pivot]) / other.dimension[pivot]
+        if times:
+            dimension = multiply(row.dimension, raise_to(other.dimension, times))
+            scale = multiply(row.scale, raise_to(other.scale, times))
+            row = _Row(dimension, scale, (*row.names, *other.names))
     return row
 
 
-def _numbers(spec: Spec) -> Iterator[Fraction]:
-    """All that could convert a unit: numbers in expressions, and values of parameters without a unit, as of ``deg: pi/180``."""
-    trees: list[Syntax] = [spec.kinetic, *(value for _, value in spec.named_values)]
-    trees += [tree for tree in (spec.potential,) if tree is not None]
-    trees += [item.value for item in (*spec.forces, *spec.outputs)]
-    trees += [side for row in spec.constraints for side in (row.left, row.right)]
-    trees += [side for row in spec.holonomic for side in (row.left, row.right)]
-    for value in (one.value for one in spec.parameters if one.unit in ("", "1")):
-        if isinstance(value, Fraction):
-            yield value
-        elif value is not None:
-            trees.append(value)
-    yield from (node.value for tree in trees for node in walk(tree) if isinstance(node, Number))
+def _is_number(one: Coordinate | Parameter) -> bool:
+    """Whether it is a parameter that converts, as 1000 mm/m does."""
+    turned = parse_scale(one.unit)[_PI] != 0
+    return isinstance(one, Parameter) and parse_unit(one.unit) == ONE and not turned
 
 
-def _converts(number: Fraction, scale: Scale) -> bool:
+def _converts(number: float, scale: Scale) -> bool:
     """Whether a number converts what has this scale, or a square or cube of it."""
     size = abs(math.log(factor(scale)))
-    known = [size, size / 2, size / 3, size + math.log(math.pi), size + math.log(2 * math.pi)]  # 180 and 360 in pi/180
-    return number != 0 and any(abs(abs(math.log(abs(number))) - wanted) < _CLOSE for wanted in known)
+    known = [size, size / 2, size / 3]
+    if scale[_PI]:  # 180 and 360, which pi is written beside
+        known += [size + math.log(math.pi), size + math.log(2 * math.pi)]
+    return any(abs(abs(math.log(number)) - wanted) < _CLOSE for wanted in known)
 
 
-def _warn(one: Coordinate | Parameter, declared: list[Coordinate | Parameter], scale: Scale, bag: Bag) -> None:
-    """That the unit of ``one`` is so many of what the others make."""
+def _warn(ones: list[Coordinate | Parameter], declared: list[Coordinate | Parameter], scale: Scale, bag: Bag) -> None:
+    """That the unit of these is so many of what the others make."""
+    one = ones[0]
     dimension, own = parse_unit(one.unit), parse_scale(one.unit)
     alike = [
         other
@@ -87,13 +98,14 @@ def _warn(one: Coordinate | Parameter, declared: list[Coordinate | Parameter], s
         if parse_unit(other.unit) == dimension and parse_scale(other.unit) != own
     ]
     times = f"{factor(scale):.6g}"
-    labels: tuple[Label, ...] = ()
-    if one.unit == _TURNED:
-        message = f"`{one.name}` is in degrees, and functions of angles take radians"
-        help = f"write `unit: rad`, and values times pi/180; or convert where it stands: `sin({one.name}*pi/180)`"
+    labels = tuple(Label(other.span, f"in {one.unit}, too") for other in ones[1:])
+    if own[_PI]:
+        what = "degrees" if one.unit == "deg" else one.unit
+        message = f"`{one.name}` is in {what}, and functions of angles take radians"
+        help = f"write `{one.unit.replace('deg', 'rad')}`, and values times pi/180; or convert where it stands: `{one.name}*pi/180`"
     elif alike:
         message = f"`{one.name}` is in {one.unit}, and `{alike[0].name}` in {alike[0].unit}"
-        labels = (Label(alike[0].span, f"in {alike[0].unit}"),)
+        labels = (Label(alike[0].span, f"in {alike[0].unit}"), *labels)
         help = f"give both in one unit: values in {one.unit} times {times} are in {alike[0].unit}"
     elif dimension == raise_to(SECOND, dimension[SECOND.index(1)]):
         message = f"`{one.name}` is in {one.unit}, and time is in seconds"
@@ -101,11 +113,5 @@ def _warn(one: Coordinate | Parameter, declared: list[Coordinate | Parameter], s
     else:
         message = f"`{one.name}` is in {one.unit}, {times} times what the other units make"
         help = f"give it in the base units of the others: values times {times}"
-    bag.warning(
-        "W0430",
-        message,
-        one.span,
-        labels=labels,
-        help=(help,),
-        notes=("nothing is converted: only dimensions are compared",),
-    )
+    note = "nothing is converted: only dimensions are compared"
+    bag.warning("W0430", message, one.span, labels=labels, notes=(note,), help=(help,))
