@@ -144,6 +144,10 @@ ENERGY_THEOREM = Formula(
     r" - \lambda_\alpha a_\alpha \qquad \Bigl(p_i = \frac{\partial T}{\partial \dot q_i},\ Q_i"
     r" \text{ without the potential's part}\Bigr)",
 )
+ENERGY_THEOREM_FREE = Formula(
+    ENERGY_THEOREM.text.replace(" - lambda_alpha a_alpha", ""),
+    ENERGY_THEOREM.latex.replace(r" - \lambda_\alpha a_\alpha", ""),
+)
 REACTION = Formula(
     "Q_i becomes Q_i + lambda_alpha a_{alpha,i}  for  a_{alpha,i} q_i' + a_alpha = 0",
     r"Q_i \;\longrightarrow\; Q_i + \lambda_\alpha a_{\alpha i} \quad\text{for}\quad"

@@ -26,6 +26,7 @@ from nhc.program.sheets.formulas import (
     CONTRACTION_NEWTON,
     CONTRACTION_QUASI,
     ENERGY_THEOREM,
+    ENERGY_THEOREM_FREE,
     EQUATIONS,
     POINCARE,
     REACTION,
@@ -247,7 +248,7 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
             f" the energy $E$ is constant{where}."
         )
         return sheet
-    sheet.add(ENERGY_THEOREM)
+    sheet.add(ENERGY_THEOREM if system.constraints else ENERGY_THEOREM_FREE)
     if constant:
         sheet.say(
             f"{'On the constraints the' if mixed else 'The'} left side is the rate of $E$, and on the right side no term is left"
