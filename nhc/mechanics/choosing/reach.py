@@ -22,9 +22,10 @@ from nhc.mechanics.system import Form, System
 
 _MOST_WALKED, _MOST_LED = 12, 30  # coordinates; the second of mechanisms of one degree of freedom
 _MOST_CHOICES = 1000  # of dependent velocities that are compared
-_WALKS, _MORE_WALKS, _STEPS = 2, 8, 30
+_WALKS, _SURE_WALKS, _MORE_WALKS, _STEPS = 2, 4, 8, 30
 _FREEDOM = 2  # velocities that the constraints leave free
 _TURN = 0.3  # radians by which a step may turn the rows of the constraints
+_LITTLE = 0.25  # of a determinant's largest value: it may as well vanish elsewhere
 _SWERVE = 0.4  # from step to step
 _PROBE = 1e-5
 _HALVINGS = 24  # between two places of a walk
@@ -43,8 +44,20 @@ def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
 
     Long mechanisms are not walked but those of one degree of freedom, and are not thought to become singular.
     """
-    count = _WALKS if system.n - system.l <= _FREEDOM else _MORE_WALKS  # walks do not get everywhere with more
-    return any(_becomes_singular_on(system, forms, walk) for walk in _walks(system, count))
+    walks = _walks(system, _WALKS)
+    if any(_becomes_singular_on(system, forms, walk) for walk in walks):
+        return True
+    if system.n - system.l <= _FREEDOM or not _has_changed(system, forms, walks):
+        return False
+    # walks do not get everywhere where more velocities are free
+    return any(_becomes_singular_on(system, forms, walk) for walk in _walks(system, _SURE_WALKS)[_WALKS:])
+
+
+def _has_changed(system: System, forms: Sequence[Form], walks: Sequence[Sequence[Point]]) -> bool:
+    """Whether the determinant of n forms becomes much less than it is elsewhere on walks: that of a rod's minors does not."""
+    places = [rows for walk in walks for place in walk if (rows := _rows(system, forms, place)) is not None]
+    found = [abs(float_determinant(rows)) for rows in places]
+    return bool(found) and min(found) < _LITTLE * max(found)
 
 
 def _becomes_singular_on(system: System, forms: Sequence[Form], walk: Sequence[Point]) -> bool:
