@@ -271,6 +271,11 @@ def parse_scale(text: str) -> Scale:
     return _measure(text, (0,) * len(_FACTORS), _scale)
 
 
+def is_turned(scale: Scale) -> bool:
+    """Say whether a unit of this scale is one of degrees."""
+    return scale[_FACTORS.index(math.pi)] != 0
+
+
 def _measure(text: str, one: Dimension, unit: Callable[[str, int], Dimension]) -> Dimension:
     """The powers that belong to a unit's text, given those of its factors."""
     words = _split(text)

@@ -8,8 +8,8 @@ from fractions import Fraction
 from nhc.language.expressions.constant import ConstantError, evaluate
 from nhc.language.expressions.names import PI
 from nhc.language.expressions.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
-from nhc.language.spec import Spec
-from nhc.language.units.dimensions import ONE, parse_unit
+from nhc.language.spec import Coordinate, Parameter, Spec
+from nhc.language.units.dimensions import ONE, is_turned, parse_scale, parse_unit
 from nhc.records import fresh, structure
 
 
@@ -82,13 +82,22 @@ class Factors:
         return _Part()
 
 
+def is_number(one: Coordinate | Parameter) -> bool:
+    """Whether it is a parameter that may convert, as ``deg: pi/180`` without a unit or 1000 mm/m: no angle in degrees."""
+    if not isinstance(one, Parameter):
+        return False
+    return not one.unit or (parse_unit(one.unit) == ONE and not is_turned(parse_scale(one.unit)))
+
+
 def _converting(spec: Spec) -> Iterator[tuple[str, float]]:
-    """Parameters that are numbers, as ``deg: pi/180``, with their values."""
-    for one in spec.parameters:
-        if one.value is None or (one.unit and (parse_unit(one.unit) != ONE or "deg" in one.unit)):
-            continue
+    """Parameters that are numbers, with their values."""
+    for one in filter(is_number, spec.parameters):
         try:
-            value = float(one.value if isinstance(one.value, Fraction) else evaluate(one.value))
+            value = (
+                0.0
+                if one.value is None
+                else float(one.value if isinstance(one.value, Fraction) else evaluate(one.value))
+            )
         except ConstantError:
             continue
         if value:

@@ -18,16 +18,16 @@ from nhc.language.units.dimensions import (
     Dimension,
     Scale,
     factor,
+    is_turned,
     multiply,
     parse_scale,
     parse_unit,
     raise_to,
 )
-from nhc.language.units.factors import Factors
+from nhc.language.units.factors import Factors, is_number
 from nhc.records import record
 
 _CLOSE = 1e-3  # numbers that convert are rounded, as 57.3
-_PI = 3  # the place of pi among the factors of a scale
 
 
 @record
@@ -51,7 +51,7 @@ def warn_of_scales(spec: Spec, bag: Bag) -> None:
         left = _reduce(_Row(parse_unit(one.unit), parse_scale(one.unit), (one.name,)), rows)
         if left.dimension != ONE:
             rows.append(left)
-        elif any(left.scale) and not _is_number(one):
+        elif any(left.scale) and not is_number(one):
             numbers = Factors(spec).applied if numbers is None else numbers
             found = set[float]().union(*(numbers.get(name, ()) for name in left.names))
             if not any(_converts(number, left.scale) for number in found):
@@ -73,17 +73,11 @@ def _reduce(row: _Row, rows: list[_Row]) -> _Row:
     return row
 
 
-def _is_number(one: Coordinate | Parameter) -> bool:
-    """Whether it is a parameter that converts, as 1000 mm/m does."""
-    turned = parse_scale(one.unit)[_PI] != 0
-    return isinstance(one, Parameter) and parse_unit(one.unit) == ONE and not turned
-
-
 def _converts(number: float, scale: Scale) -> bool:
     """Whether a number converts what has this scale, or a square or cube of it."""
     size = abs(math.log(factor(scale)))
     known = [size, size / 2, size / 3]
-    if scale[_PI]:  # 180 and 360, which pi is written beside
+    if is_turned(scale):  # 180 and 360, which pi is written beside
         known += [size + math.log(math.pi), size + math.log(2 * math.pi)]
     return any(abs(abs(math.log(number)) - wanted) < _CLOSE for wanted in known)
 
@@ -99,7 +93,7 @@ def _warn(ones: list[Coordinate | Parameter], declared: list[Coordinate | Parame
     ]
     times = f"{factor(scale):.6g}"
     labels = tuple(Label(other.span, f"in {one.unit}, too") for other in ones[1:])
-    if own[_PI]:
+    if is_turned(own):
         what = "degrees" if one.unit == "deg" else one.unit
         message = f"`{one.name}` is in {what}, and functions of angles take radians"
         help = f"write `{one.unit.replace('deg', 'rad')}`, and values times pi/180; or convert where it stands: `{one.name}*pi/180`"

@@ -44,24 +44,31 @@ def becomes_singular(system: System, forms: Sequence[Form]) -> bool:
 
     Long mechanisms are not walked but those of one degree of freedom, and are not thought to become singular.
     """
-    walks = _walks(system, _WALKS)
+    walks = [_with_rows(system, forms, walk) for walk in _walks(system, _WALKS)]
     if any(_becomes_singular_on(system, forms, walk) for walk in walks):
         return True
-    if system.n - system.l <= _FREEDOM or not _has_changed(system, forms, walks):
+    if system.n - system.l <= _FREEDOM or not _has_changed(walks):
         return False
     # walks do not get everywhere where more velocities are free
-    return any(_becomes_singular_on(system, forms, walk) for walk in _walks(system, _SURE_WALKS)[_WALKS:])
+    more = (_with_rows(system, forms, walk) for walk in _walks(system, _SURE_WALKS)[_WALKS:])
+    return any(_becomes_singular_on(system, forms, walk) for walk in more)
 
 
-def _has_changed(system: System, forms: Sequence[Form], walks: Sequence[Sequence[Point]]) -> bool:
-    """Whether the determinant of n forms becomes much less than it is elsewhere on walks: that of a rod's minors does not."""
-    places = [rows for walk in walks for place in walk if (rows := _rows(system, forms, place)) is not None]
-    found = [abs(float_determinant(rows)) for rows in places]
+_Walked = list[tuple[Point, Rows | None]]
+"""Places one after the other, each with the matrix of the forms there."""
+
+
+def _with_rows(system: System, forms: Sequence[Form], walk: Sequence[Point]) -> _Walked:
+    return [(place, _rows(system, forms, place)) for place in walk]
+
+
+def _has_changed(walks: Sequence[_Walked]) -> bool:
+    """Whether the determinant of the forms becomes much less than it is elsewhere on walks: that of a rod's minors does not."""
+    found = [abs(float_determinant(rows)) for walk in walks for _, rows in walk if rows is not None]
     return bool(found) and min(found) < _LITTLE * max(found)
 
 
-def _becomes_singular_on(system: System, forms: Sequence[Form], walk: Sequence[Point]) -> bool:
-    places = [(place, _rows(system, forms, place)) for place in walk]
+def _becomes_singular_on(system: System, forms: Sequence[Form], places: _Walked) -> bool:
     for (first, rows), (second, others) in [*pairwise(places)] or [(place, place) for place in places]:
         if rows is None or others is None:
             return False

@@ -8,6 +8,7 @@ depend on what is left out, so any value may stand for the latter in its equatio
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 
 from nhc.algebra.bounds.interval import Interval, cannot_vanish
 from nhc.algebra.exact.modular import FieldPoint, Unlucky
@@ -238,9 +239,16 @@ def _fix(
     known: Mapping[Node, Interval],
     guards: Sequence[tuple[Node, Node]],
 ) -> tuple[dict[Node, Node], bool]:
-    """Values for all entries but the held ones, velocities first; and whether the guards cannot vanish with them."""
-    n = flow.system.n
-    model = _Model(
+    """Values for all entries but the held ones, velocities first; and whether the guards cannot vanish with them.
+
+    Once some have their values the equations need not contain others: 2 (R_1^2 + R_2^2)/|R|^2 is 0 without R_1 and R_2, whatever
+    R_0 is.  These are free, but for poles of what was there at first.
+
+    Raises:
+        Unlucky: no values are found.
+    """
+    n, g = flow.system.n, flow.graph
+    model = first = _Model(
         flow.unknowns,
         tuple(i - n for i in held if i >= n),
         tuple(flow.velocities[i] for i in held if i < n),
@@ -250,20 +258,32 @@ def _fix(
         tuple(value for value, _ in guards),
         tuple(scale for _, scale in guards),
     )
-    fixed: dict[Node, Node] = {}
+    fixed, free = dict[Node, Node](), list[Node]()
     for i in reversed(range(len(flow.y))):
-        if i not in held:
+        if i in held:
+            continue
+        if any(g.depends(node, g.deps[flow.y[i]]) for node in model.nodes):
             fixed[flow.y[i]], model = _put_best(flow, model, i, known)
-    return fixed, not model.weak(flow, known)
+        else:
+            free.append(flow.y[i])
+    return fixed | _put_free(g, first, fixed, free), not model.weak(flow, known)
+
+
+def _put_free(graph: Graph, model: _Model, fixed: Mapping[Node, Node], free: Sequence[Node]) -> dict[Node, Node]:
+    """One value for entries that may have any, with which, and with those of the others, the whole model has no pole."""
+    for value in (0, 1, 2) if free else ():
+        found = dict.fromkeys(free, graph.number(value))
+        with suppress(ZeroDivisionError):
+            substitute(graph, model.nodes, {**fixed, **found})
+            return found
+    if free:
+        raise Unlucky
+    return {}
 
 
 def _put_best(flow: Flow, model: _Model, i: int, known: Mapping[Node, Interval]) -> tuple[Node, _Model]:
     """The value for one entry that leaves the fewest guards and the shortest expressions; 1 and 2 where 0 is singular."""
     g, symbol = flow.graph, flow.y[i]
-    if not any(g.depends(node, g.deps[symbol]) for node in model.nodes):
-        # what is left out with it divides by the length of a quaternion
-        upright = any(symbol == flow.system.q[rotation.places[0]] for rotation in flow.system.rotations)
-        return g.one if upright else g.zero, model
     first = [g.zero, g.div(g.pi(), g.number(2))] if i < flow.system.n else [g.zero]
     for values in (first, [g.one], [g.number(2)]):
         found = []
