@@ -107,6 +107,7 @@ def _data(made: SceneModel) -> dict[str, Any]:
             "operations": made.operations,
             "constants": [reduction.names[i] for i in reduction.constants],
         },
+        "undecided": reduction.undecided,
         "left_out": [{"name": omission.name, "reason": omission.reason} for omission in reduction.left],
         "tried": [
             {
@@ -138,6 +139,10 @@ def _print(made: SceneModel, kept: Kept, notes: tuple[str, ...]) -> None:
         width = max(len(omission.name) for omission in reduction.left)
         for omission in reduction.left:
             put_text(f"  {omission.name:{width}}  {omission.reason}")
+    if reduction.undecided:
+        put_text(
+            "left out nothing: the equations are singular wherever they were tried, or with any values for what would go"
+        )
     quadratures = [reduction.names[i] for i in reduction.kept if i not in reduction.driving]
     if quadratures and len(reduction.kept) > 1:
         put_text(f"by quadrature, nothing else depends on them: {', '.join(quadratures)}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 from collections.abc import Iterator
 from functools import cache
@@ -15,6 +16,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.scenes import Pair, list_pairs
 from nhc.algebra.exact.modular import Unlucky
+from nhc.cli import main
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
@@ -381,6 +383,30 @@ scenes:
     made = reduce_scene(Source("turned.yaml", text), Options(scene="a"))
     assert made.reduction.state == state
     assert validate_scene(made)["rhs"] is True
+
+
+POLES = """nhc: 1
+system: poles
+coordinates: [y, x, s]
+T: (x'^2 + y'^2 + s'^2)/2
+V: y^2/2
+forces: {s: 1/(x*(x - 1)*(x - 2)POLE)}
+scenes: {a: {initial: {y: 1, x: 3}, time: [0, 1], need: [y]}}
+"""
+
+
+@pytest.mark.parametrize(("pole", "told"), [("", False), ("*(x - pi/2)", True)])
+def test_where_no_value_can_stand_for_an_entry_that_is_said(
+    pole: str, told: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec = tmp_path / "poles.yaml"
+    spec.write_text(POLES.replace("POLE", pole))
+    assert main(["reduce", str(spec)]) == 0
+    text = capsys.readouterr().out
+    assert ("left out nothing: the equations are singular" in text) == told
+    assert ("reduced  2 equations (y, y')" in text) != told
+    assert main(["reduce", str(spec), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["undecided"] is told
 
 
 def test_folded_values_reduce_further() -> None:

@@ -43,7 +43,7 @@ class Reduction:
     """``kept`` and ``constants`` are indices into the full state ``names``; ``fixed`` has the values that stand for the rest.
 
     ``outputs`` are the columns of the scene's needs; on ``driving`` entries others that are kept depend; ``regular`` says that
-    no guard of the frame can vanish any more.
+    no guard of the frame can vanish any more.  ``undecided``: all is kept, for nothing could be told of what is left out.
     """
 
     equations: Equations
@@ -57,6 +57,7 @@ class Reduction:
     outputs: tuple[Wanted, ...]
     driving: tuple[int, ...]
     regular: bool
+    undecided: bool = False
 
     @property
     def state(self) -> tuple[str, ...]:
@@ -117,7 +118,9 @@ def keep_everything(equations: Equations, formulation: Formulation, scene: Scene
     names = flow_of(equations).names
     every = tuple(range(len(names)))
     columns = tuple(list_needs(equations, scene))
-    return Reduction(equations, formulation, names, every, (), (), (), (), columns, every, False)
+    return Reduction(
+        equations, formulation, names, every, (), (), (), (), columns, every, regular=False, undecided=True
+    )
 
 
 def _is_far(scene: Scene) -> bool:
