@@ -347,3 +347,19 @@ def test_forces_that_cancel_are_no_force() -> None:
 def test_what_a_body_is_stands_in_its_sentence() -> None:
     words = said(derive(HEAD + "coordinates: [x]\nbodies: {cart: {at: [x, 0], mass: m, about: a cart on rails.}}\n"))
     assert "mass m (a cart on rails)." in words
+
+
+def test_what_facts_name_is_said() -> None:
+    """A definition may be written out everywhere but in the facts."""
+    text = """nhc: 1
+system: table
+coordinates: [x, y, theta]
+parameters: {m: 1, J: 0.2, Omega: 0.7, eps: 0.1}
+define: {u: 1 + eps*sin(t), w: Omega*u, idle: Omega^2}
+T: m/2*(x'^2 + y'^2) + J/2*theta'^2
+constraints:
+  - edge: -sin(theta)*(x' + w*y) + cos(theta)*(y' - w*x) = 0
+"""
+    told = said(derive(text))
+    assert "(without velocities -cos(theta)*x*w - sin(theta)*y*w in `edge`)" in told
+    assert "Here u = 1 + eps*sin(t), w = Omega*u, as the spec defines them." in told

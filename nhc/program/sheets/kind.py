@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import replace
 
 from nhc.algebra.walks import count
 from nhc.diagnostics import Bag
+from nhc.language.expressions.unparse import unparse
+from nhc.language.scope import names_in
+from nhc.language.spec import Spec
 from nhc.mechanics.choosing.choose import Formulation, formulate
 from nhc.mechanics.frame import coordinate_frame, form_value
 from nhc.mechanics.properties.facts import describe
@@ -18,6 +22,7 @@ from nhc.program.sheets.draft import Desk, DraftSheet
 # beyond both of these the search takes longer than the derivation
 _FEW = 6  # coordinates
 _BUDGET = 1000  # coordinates times operations of the energies and constraints
+_NAME = re.compile(r"[^\W\d]\w*")
 _OMITTED = ("degrees", "applicable", "formulation")
 
 
@@ -44,7 +49,20 @@ def kind_sheet(desk: Desk) -> DraftSheet | None:
         sheet.say(
             f"Here $p_{first}$ is the momentum of ${first}$, the derivative of $T$ with respect to ${first}'${also}."
         )
+    shown = [f"${name} = {text}$" for name, text in _definitions(system.spec, [facts.marked[key] for key in keys])]
+    if shown:
+        sheet.say(f"Here {', '.join(shown)}, as the spec defines {'it' if len(shown) == 1 else 'them'}.")
     return sheet
+
+
+def _definitions(spec: Spec, lines: Iterable[str]) -> list[tuple[str, str]]:
+    """The definitions that stand in formulas of these lines, and in one another, with their expressions."""
+    own = {entry.name: entry.value for entry in spec.definitions if not spec.is_brought(entry.name)}
+    wanted = {name for line in lines for part in line.split("$")[1::2] for name in _NAME.findall(part)} & own.keys()
+    for name, value in reversed(own.items()):
+        if name in wanted:
+            wanted |= own.keys() & set(names_in(value))
+    return [(name, unparse(value)) for name, value in own.items() if name in wanted]
 
 
 def _same_on(fresh: System, named: Formulation, formulation: Formulation) -> Formulation:
