@@ -80,6 +80,7 @@ TITLES: dict[str, str] = {
     "W0428": "prime that may be lost",
     "W0429": "start outside of a declared range",
     "W0430": "units that do not go together",
+    "W0431": "an angle that looks like degrees",
     "E0501": "file would be overwritten",
     "E0502": "unknown stage",
     "E0503": "no such scene",
