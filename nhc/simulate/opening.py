@@ -7,6 +7,7 @@ from dataclasses import replace
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.language.spec import Scene
+from nhc.language.units.warnings import note_units
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.regular.regularity import intervals
@@ -77,7 +78,8 @@ def open_scene(
     recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak, " ".join(until.split()))
     job = prepare_reduced(recipe, form, start) if plain else None
     job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
-    job = replace(job, notes=(*notes, *unheard, *note_negative(equations, form, start)))
+    doubtful = (*note_units(spec, chosen, source), *note_negative(equations, form, start))
+    job = replace(job, notes=(*notes, *unheard, *doubtful))
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:
         lacking = "its mass matrix is not constant"

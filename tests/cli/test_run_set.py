@@ -108,3 +108,18 @@ def test_a_negative_mass_is_noted_wherever_it_comes_from(tmp_path: Path, capsys:
         assert main(["run", spec, "--python", "--points", "2", *options]) == 0
         noted.append("scene starts: `m` is negative there (W0423)" in capsys.readouterr().err)
     assert noted == [True, False]
+
+
+def test_degrees_are_noted_of_the_values_that_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A scene's own value, or one of the command line, takes the place of the spec's; other scenes are not spoken of."""
+    spec = tmp_path / "slope.yaml"
+    head = "nhc: 1\nsystem: slope\ncoordinates: {x: {}, th: {}}\nparameters: {g: 9.81, alpha: 30}\n"
+    energies = "T: (x'^2 + th'^2)/2\nV: g*(cos(th) - x*sin(alpha))\n"
+    spec.write_text(f"{head}{energies}scenes: {{a: {{time: [0, 1]}}, b: {{initial: {{th: 90}}, time: [0, 1]}}}}\n")
+    told = []
+    for options in ([], ["--set", "alpha=0.5"], ["--set", "alpha=0.5, th=45"], ["--scene", "b"]):
+        assert main(["run", str(spec), "--python", "--points", "2", *options]) == 0
+        told.append([line for line in capsys.readouterr().err.splitlines() if "W0431" in line])
+    of_alpha = "note: `alpha` is 30: write `30*pi/180` if degrees are meant (W0431)"
+    of_start = "note: `th` starts at {0}: write `{0}*pi/180` if degrees are meant (W0431)"
+    assert told == [[of_alpha], [], [of_start.format(45)], [of_alpha, of_start.format(90)]]

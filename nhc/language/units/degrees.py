@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span
 from nhc.language.expressions.syntax import Binary, Call, Name, Negate, Number, Syntax, walk
-from nhc.language.spec import Spec
+from nhc.language.spec import Constraint, Coordinate, Holonomic, Parameter, Spec
 from nhc.language.units.dimensions import is_turned, parse_scale
 from nhc.records import record
 
@@ -35,7 +35,8 @@ def warn_of_degrees(spec: Spec, bag: Bag) -> None:
     if not given:
         return
     angles = _angles(spec)
-    declared = {one.name: one.unit for one in (*spec.coordinates, *spec.parameters)}
+    entries: tuple[Coordinate | Parameter, ...] = (*spec.coordinates, *spec.parameters)
+    declared = {one.name: one.unit for one in entries}
     by_name = dict[str, list[_Given]]()
     for one in given:
         unit = declared.get(one.name, "")
@@ -48,7 +49,9 @@ def warn_of_degrees(spec: Spec, bag: Bag) -> None:
         what = f"{abs(first.value)} rad are {turns:.0f} turn{'s' if turns >= 2 else ''} and {math.degrees(rest):.0f} degrees"
         note = f"functions of angles take radians; {what}"
         help = f"write `{first.value}*pi/180` if degrees are meant"
-        bag.warning("W0431", f"`{name}` {first.where} {first.value}", first.span, labels=labels, notes=(note,), help=(help,))
+        bag.warning(
+            "W0431", f"`{name}` {first.where} {first.value}", first.span, labels=labels, notes=(note,), help=(help,)
+        )
 
 
 def _given(spec: Spec) -> Iterator[_Given]:
@@ -75,7 +78,8 @@ def _plain(name: str, value: Fraction | Syntax | None, span: Span, where: str) -
 
 def _angles(spec: Spec) -> set[str]:
     """The names whose value, times a number at most, is a term of what some sine is taken of."""
-    rows = [side for row in (*spec.constraints, *spec.holonomic) for side in (row.left, row.right)]
+    equations: tuple[Constraint | Holonomic, ...] = (*spec.constraints, *spec.holonomic)
+    rows = [side for row in equations for side in (row.left, row.right)]
     energies = [tree for tree in (spec.kinetic, spec.potential) if tree is not None]
     values = dict(spec.named_values)
     trees = [*energies, *rows, *values.values(), *(force.value for force in spec.forces)]
@@ -95,16 +99,17 @@ def _angles(spec: Spec) -> set[str]:
 
 def _terms(tree: Syntax) -> Iterable[str]:
     """The names that are terms of a sum, by themselves: what a rate or a wave number multiplies is no angle."""
-    stack = [tree]
+    stack: list[Syntax] = [tree]
     while stack:
-        match stack.pop():
-            case Name(name=name):
-                yield name
-            case Negate(operand=operand):
-                stack.append(operand)
-            case Binary(op="+" | "-", left=left, right=right):
-                stack += (left, right)
-            case Binary(op="/", left=left, right=Number()) | Binary(op="*", left=left, right=Number()):
-                stack.append(left)
-            case Binary(op="*", left=Number(), right=right):
-                stack.append(right)
+        node = stack.pop()
+        if isinstance(node, Name):
+            yield node.name
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
+        elif isinstance(node, Binary) and node.op in "+-":
+            stack += (node.left, node.right)
+        elif isinstance(node, Binary) and node.op in "*/":
+            if isinstance(node.right, Number):
+                stack.append(node.left)
+            if isinstance(node.left, Number) and node.op == "*":
+                stack.append(node.right)
