@@ -171,6 +171,7 @@ STARTS = {
 }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("verb", sorted(VERBS))
 def test_each_verb_starts_in_a_process_of_its_own(verb: str, tmp_path: Path) -> None:
     """Transcripts run in one that has imported everything already, in an order of its own."""

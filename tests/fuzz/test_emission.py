@@ -26,6 +26,7 @@ def test_formulations_and_back_ends_agree(first: int, tmp_path: Path) -> None:
     assert back_ends < 1e-12
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("seed", range(8 * SIZE))
 def test_derivations_are_written(seed: int) -> None:
     source = source_of(write_spec(random.Random(seed), f"random_{seed}"))

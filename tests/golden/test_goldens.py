@@ -54,7 +54,7 @@ def test_no_orphans() -> None:
     assert kept <= wanted
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", GALLERY)
 def test_golden_c_compiles_and_agrees_with_python(name: str, tmp_path: Path) -> None:
     folder = HERE / name

@@ -114,7 +114,7 @@ def check_draft(draft: Draft, rng: random.Random, count: int = 2) -> None:
         assert check_change(base, change, p, states) >= count, make.__name__
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_changes_leave_the_motion_of_the_gallery(name: str) -> None:
     check_draft(draft_of(name), random.Random(f"{name} {SIZE}"))

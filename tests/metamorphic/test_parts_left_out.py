@@ -124,7 +124,7 @@ def compare(system: System, formulation: Formulation, whole: ModuleType, rng: ra
     return seen
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", [seldom(name) if name == "bicycle" else name for name in WITH_CONSTRAINTS])
 def test_formulations_agree_at_right_angles(name: str) -> None:
     rng, seen = random.Random(zlib.crc32(name.encode())), []

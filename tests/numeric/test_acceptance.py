@@ -216,6 +216,7 @@ def _scaled(found: Any, expected: Any) -> float:
     return error([x / size for x in found], [x / size for x in expected]) if size else error(found, expected)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("name", "formulation"), CASES)
 def test_it_moves_as_multipliers_say(name: str, formulation: str, tmp_path: Path) -> None:
     assert not errors_of(name)

@@ -16,7 +16,7 @@ from tests.support import ROOT
 CASES = [pytest.param(s, id=s.code, marks=[pytest.mark.slow] if s.slow else []) for s in SCENARIOS]
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("scenario", CASES)
 def test_scenario(scenario: Scenario) -> None:
     verdict = scenario.run()

@@ -116,6 +116,7 @@ CASES = [pytest.param(Joints(s, 3, kind=k), id=f"{k}-{s}") for s in range(2) for
 CASES += [pytest.param(Joints(s, 3, kind="absolute", joints=3), id=f"absolute-{s}") for s in range(2, 6)]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("case", CASES)
 def test_the_rates_are_the_dense_ones(case: Joints) -> None:
     found, trees = made(case.text())
@@ -170,7 +171,7 @@ def test_vectors_that_only_look_like_turned_ones_are_not_taken_for_such(far: str
         assert are_equal(g, Elimination(chain).rates, dense)
 
 
-@pytest.mark.sample(2)
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "joints", "each"), [("relative", 2, 790), ("absolute", 3, 620)])
 def test_the_work_is_linear(kind: str, joints: int, each: int) -> None:
     sizes = {}
@@ -208,6 +209,7 @@ def test_arms_whose_centres_lie_on_their_joints(axes: str, count: int, centre: s
     assert known[0] >= 3 * (count - 2)
 
 
+@pytest.mark.slow
 def test_arms_of_hinges_take_operations_linear_in_their_length() -> None:
     def operations(length: int) -> list[int]:
         found, trees = made(hinged("zyx", length))

@@ -206,6 +206,7 @@ def operations(text: str) -> int:
     return count(found.system.graph, Planner(found.equations, found.formulation).route.values)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("joints", "base", "each"), [("R", "fixed", 1080), ("01", "rolling", 760), ("01", "free", 760)]
 )
@@ -223,6 +224,7 @@ def test_a_constant_tilt_costs_little(joints: tuple[str, ...], most: int) -> Non
     assert operations(Mixed(joints, base="free").text()) <= most
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("alike", [False, True])
 @pytest.mark.parametrize(("joints", "base"), [(("R", "R", "R"), "fixed"), (("R", "01", "01", "01"), "rolling")])
 def test_names_of_points_make_no_difference(joints: tuple[str, ...], base: str, alike: bool) -> None:

@@ -99,6 +99,7 @@ def test_one_difference_at_some_of_the_points_is_enough(
         assert (agreement.accelerations, agreement.reactions) == (wrong != "accelerations", wrong != "reactions")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", GALLERY)
 def test_all_formulations_agree(name: str) -> None:
     found = certificate_of(name)
@@ -130,6 +131,7 @@ def steered_snake(links: int) -> str:
     return "\n".join([*head, f"T: ({' + '.join(kinetic)})/2", "constraints:", *rows, ""])
 
 
+@pytest.mark.slow
 def test_a_long_chain_of_pivots_is_not_singular_at_every_state() -> None:
     """The sum of a pivot's terms without their signs grows with each pivot before it, and says nothing after nine of them."""
     found = certify(resolve(decode(Source("steered.yaml", steered_snake(9)))))

@@ -342,6 +342,7 @@ def test_structure_preserving_methods_count_the_same_in_both_languages() -> None
     assert all(max(counts) - min(counts) <= 0.02 * min(counts) and min(counts) > 20 for counts in calls.values())
 
 
+@pytest.mark.slow
 def test_where_they_do_not_apply_it_says_why() -> None:
     sleigh_ = chart(gallery("chaplygin_sleigh"), replace(SMALL, methods=("perlmutter",), tolerances=(1e-2,)))
     assert (

@@ -175,6 +175,7 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
     assert rank(g, [slope]) == 1
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("rows", "integral"),
     [
@@ -622,7 +623,7 @@ def test_rational_relations_are_read_off_residues() -> None:
     assert without([vector], []) == [vector]
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", GALLERY)
 def test_facts_are_the_same_as_lines_and_data(name: str) -> None:
     facts = facts_of(name)

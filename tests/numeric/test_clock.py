@@ -86,6 +86,7 @@ def test_a_row_at_the_very_jump_and_a_scene_of_its_own_values() -> None:
     assert_struck(late.rows[-1], 0.5, 70.35)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("compiled", [True, False])
 def test_stops_that_are_nothing_apart_do_not_end_a_run(compiled: bool) -> None:
     """A saw tooth of period 1: it jumps at a pole, around which stops are some last digits apart, and so are the steps to them."""

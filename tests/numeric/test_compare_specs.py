@@ -330,6 +330,7 @@ def test_parameters_without_a_value() -> None:
     assert not compare(first, changed(other, ("m*x^2", "x^2"))).agrees
 
 
+@pytest.mark.slow
 def test_many_signs() -> None:
     first = "coordinates: [x, y]\nT: x'^2/2 + y'^2/2\nforces: {x: abs(x)*abs(y)*sign(x + y)*sign(x - y)*abs(x')}\n"
     same = changed(first, ("sign(x + y)*sign(x - y)", "sign(x^2 - y^2)"), ("abs(x)*abs(y)", "abs(x*y)"))

@@ -51,6 +51,7 @@ def ladder(scene: str) -> Comparison:
     return compare_models(sources[:2], sources[2], Grid(scene=scene, tolerances=(1e-3, 1e-6, 1e-9), budget=1e-4))
 
 
+@pytest.mark.slow
 def test_the_finer_vehicle_is_nearer_where_its_tyres_hardly_yield() -> None:
     made = ladder("lane_change")
     assert [rung.name for rung in made.rungs] == list(LADDER) and made.finest == "relaxing_tyres"

@@ -50,6 +50,7 @@ def random_tree(seed: int) -> str:
     return Mixed(joints, base=base, frame=frame, alike=seed % 2 == 0, inline=seed % 3 == 0, parents=parents).text()
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("seed", [seed for seed in range(14) if seed != 6])
 def test_random_trees(seed: int) -> None:
     assert_same(random_tree(seed))
@@ -61,6 +62,7 @@ def test_what_is_not_read_is_left_to_other_ways() -> None:
     assert assemble(found.system, found.equations.motion) is None
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("kind", ["relative", "free", "driven"])
 @pytest.mark.parametrize("seed", range(3))
 def test_trees_by_angles(kind: str, seed: int) -> None:
@@ -125,6 +127,7 @@ def operations(text: str) -> int:
     return count(found.system.graph, Planner(found.equations, found.formulation).route.values)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("joints", "tilt", "most"), [(4, "s", 600), (6, "pi/2", 850), (6, "s", 1280), (8, "pi/2", 1450)]
 )
@@ -132,6 +135,7 @@ def test_arms_are_short(joints: int, tilt: str, most: int) -> None:
     assert operations(arm(joints, tilt)) <= most
 
 
+@pytest.mark.slow
 def test_long_arms_stay_linear() -> None:
     """From some length on articulated inertias are shorter, and nothing else is taken."""
     short, middle, long = (operations(hinged("zyx", n)) for n in (16, 20, 24))

@@ -85,6 +85,7 @@ def program_of(found: Source, rules: tuple[str, ...] = (), formulation: str = ""
     )
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_rows_are_those_of_the_multipliers(name: str) -> None:
     """Straight from T, modulo primes, reactions too; and the rates that are emitted solve them."""

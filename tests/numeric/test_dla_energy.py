@@ -14,6 +14,7 @@ from nhc.simulate.run import Settings, run
 from tests.support import spec_path
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize(
     ("name", "h", "nodes", "midpoints"),
     [
@@ -51,7 +52,7 @@ scenes: {sway: {initial: {y: 0.005, s': 20}, time: [0, 1], need: [y, psi]}}
 """
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["energy", "dla", "leapfrog", "perlmutter", "midpoint"])
 def test_the_unit_of_mass_means_nothing(method: str, compiled: bool) -> None:

@@ -228,7 +228,7 @@ def test_the_other_files_do_not_know_of_it() -> None:
     assert (first.rows, first.headings, second.drawn) == (second.rows, second.headings, ((),) * 5)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("name", DRAWN)
 def test_the_gallery_draws(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     page = page_of(tmp_path / "a.html", find_specs() / f"{name}.yaml", capsys, "--points", "21")

@@ -60,6 +60,7 @@ def swing(times: Sequence[float]) -> list[list[float]]:
     ]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("scene", ["", "long"])
 def test_a_bob_stays_on_its_sphere(scene: str, tmp_path: Path) -> None:
     rows = rows_of(Source("bob.yaml", BOB), tmp_path, "long", "5", formulation="multipliers", scene=scene)

@@ -14,6 +14,7 @@ from tests.numeric.test_driver_stop import drive
 from tests.support import needs_full, spec_path
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("name", "formulation"),
     [

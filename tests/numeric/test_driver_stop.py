@@ -82,6 +82,7 @@ def find_stop(done: subprocess.CompletedProcess[str]) -> float:
     return stop
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("tolerance", ["1e-4", "1e-8", "1e-12"])
 @pytest.mark.parametrize("points", ["2", "1000"])
 def test_a_pivot_without_bound_between_two_steps(tolerance: str, points: str, tmp_path: Path) -> None:

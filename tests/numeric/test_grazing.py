@@ -95,7 +95,7 @@ scenes: {go: {initial: {x: 1}, time: [0, 10]}}
 """
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", ["dop853", "dopri5", "radau5"])
 def test_an_event_and_its_opposite_are_one(method: str, compiled: bool) -> None:

@@ -166,6 +166,7 @@ def operations(text: str, name: str = "rhs") -> int:
     return sum(f.adds + f.multiplications + f.divisions for f in made if f.name == name)
 
 
+@pytest.mark.slow
 def test_steered_links_cost_the_same_each() -> None:
     """Two velocities meet all others, and these meet nothing else: taken last they leave no entries behind.
 
@@ -310,6 +311,7 @@ def four_bars(count: int) -> str:
     )
 
 
+@pytest.mark.slow
 def test_what_check_asks_of_closed_loops() -> None:
     """Positions where they close took steps with full matrices, and each loop's integral was held against all before it."""
 
@@ -319,11 +321,13 @@ def test_what_check_asks_of_closed_loops() -> None:
     assert growth(four_bars, 8, examine) < 1.6
 
 
+@pytest.mark.slow
 def test_coframes_are_sought_among_few_sets_of_columns() -> None:
     """Two rows on n columns have n^3/6 sets of minors."""
     assert growth(hung, 12) < 1.6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [discs, balls], ids=lambda text: text.__name__)
 def test_the_derivation_of_many_bodies_is_about_linear(text: Callable[[int], str]) -> None:
     """What one body's equations need is not asked of every other body's forms."""

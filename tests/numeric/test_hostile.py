@@ -337,7 +337,7 @@ GROUPS = [
 ]
 
 
-@pytest.mark.sample(4)
+@pytest.mark.sample(8)
 @pytest.mark.parametrize("group", [g for g in GROUPS if g], ids=lambda g: g[0])
 def test_reserved_words_are_good_names(group: list[str], tmp_path: Path) -> None:
     """Each word as a coordinate, a parameter, a definition, a constraint, a quasi-velocity, an output and a scene."""
@@ -443,7 +443,7 @@ ABOUTS = (
 )
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("about", ABOUTS, ids=range(len(ABOUTS)))
 def test_texts_do_not_leave_their_comments(about: str, tmp_path: Path) -> None:
     carry_through(make(about=about), tmp_path)

@@ -101,7 +101,7 @@ ALONG = {
 }
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", ALONG)
 def test_a_pass_over_forces_and_accelerations_has_the_slopes_of_the_rates(
     name: str, monkeypatch: pytest.MonkeyPatch
@@ -132,6 +132,7 @@ def test_a_pass_over_forces_and_accelerations_has_the_slopes_of_the_rates(
         assert error(expected, _differences(modules["rates"].rhs, t, y)) < 1e-6
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", ["rolling_disk", "n_trailer3", "snakeboard", "bicycle", "chaplygin_ball_quaternion"])
 def test_dense_routes_agree(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     """Multiplier equations: each entry an unknown of a dense solve, or sweeps with rows of the inverse; in Python and in C."""

@@ -84,7 +84,7 @@ def assert_close(found: Outcome, single: Outcome, tolerance: float) -> None:
         assert max(abs(a - b) for a, b in zip(one, other, strict=True)) <= tolerance * size
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("name", "method"),
     [

@@ -81,7 +81,7 @@ def first_loss(left_out: int) -> float:
     return float(times[k])
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("formulation", ["voronec", "multipliers"])
 @pytest.mark.parametrize(("left_out", "time"), [(0, 0.768), (1, 0.768), (2, 0.768), (4, 2.136)])
 def test_a_run_ends_where_the_rest_loses_rank(left_out: int, time: float, formulation: str) -> None:

@@ -131,6 +131,7 @@ def test_two_real_eigenvalues_that_meet_are_no_crossing() -> None:
     assert found.swept is not None and found.swept.crossings == ()
 
 
+@pytest.mark.slow
 def test_a_bicycle_turns_steadily_without_hands() -> None:
     found = find(
         "bicycle", "z=-0.3, roll=0.1, thR'=-7/r_R", "voronec", holds=("roll=0.1, front_height=0, rear_height=0",)
@@ -967,6 +968,7 @@ def test_of_a_family_the_motion_with_the_speed_that_was_asked_for_is_taken(about
     assert not found.halted
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("name", "scene", "kept"),
     [
@@ -992,6 +994,7 @@ def test_a_scene_far_from_steady_motions_does_not_lead_farther() -> None:
     assert w == pytest.approx([0.0, 0.0, 0.9], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_what_hidden_constraints_hold_stays_what_it_was() -> None:
     """Long steps from a scene that is hit from the side lifted the bicycle by a millimetre, and changed its crossings."""
     found = find("bicycle", "reference")

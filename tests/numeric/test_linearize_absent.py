@@ -35,6 +35,7 @@ def ask(spring: str, slope: str, request: Request, sprung: str = SPRUNG, formula
     return linearize(Source("s.yaml", text), request, Options(formulation=formulation))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("formulation", [None, "euler-lagrange", "multipliers"])
 @pytest.mark.parametrize("speed", ["2", "-3"])
 def test_what_is_zero_ties_nothing_down(speed: str, formulation: str | None) -> None:
@@ -60,6 +61,7 @@ def test_what_is_swept_stays() -> None:
     assert not found.lost and found.absent == ("spring", "slope")
 
 
+@pytest.mark.slow
 def test_what_does_not_vanish_is_no_steady_motion() -> None:
     found = ask("1e-6", "0", Request("v=2"))
     assert found.lost and found.absent == ()
@@ -75,6 +77,7 @@ def test_it_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "`spring` is 0, and is left out of the equations: more is steady for this value" in out
 
 
+@pytest.mark.slow
 def test_stability_has_the_same_motion(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     spec = tmp_path / "s.yaml"
     text = SPEC.replace("SPRUNG", SPRUNG).replace("SPRING", "0").replace("SLOPE", "0")
@@ -197,6 +200,7 @@ def merged(a: float) -> Matrix:
     return np.array([[0, 0, 1, 0], [0, 0, 0, 1], [-k, -a, 0, 1], [a, -1, -1, 0]])
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("ends", [(-0.2, 0.2), (-0.2, 0.0), (0.0, 0.2)])
 def test_two_pairs_that_cross_at_one_value_do_not_meet(ends: tuple[float, float]) -> None:
     found = linearize(Source("apart.yaml", APART), Request("x=0", sweep=("c", *ends, 5)), Options())
@@ -216,7 +220,7 @@ forces: {x: -FORCE*x'}
 """
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(
     ("force", "sweep", "expected"),
     [
@@ -257,6 +261,7 @@ scenes: {ahead: {initial: {x: 0, y: 0, th: 0, v: 2, w: 0}, time: [0, 1]}}
 """
 
 
+@pytest.mark.slow
 def test_a_sweep_that_comes_to_rest_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     spec = tmp_path / "braked.yaml"
     spec.write_text(BRAKED)

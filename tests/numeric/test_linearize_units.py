@@ -96,6 +96,7 @@ def test_a_swept_instability_of_a_slow_system() -> None:
     assert crossing.value == pytest.approx(1e-6, rel=1e-9) and crossing.unstable_above
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("count", [2, 3, 5, 6])
 def test_a_crossing_is_found_also_where_a_value_of_the_sweep_meets_it(count: int) -> None:
     """k = 0 is the third of five values, and the middle of three: an exact zero is on neither side."""

@@ -336,6 +336,7 @@ def test_gathered_sums_keep_their_value_and_their_operands() -> None:
 GALLERY = ("bicycle", "snakeboard", "rattleback", "affine_voronec", "cvt", "rolling_disk")
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "text", [*(planar_tree(seed) for seed in range(8)), *(spec_path(name).read_text() for name in GALLERY)]
 )

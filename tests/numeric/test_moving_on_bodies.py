@@ -201,6 +201,7 @@ constraints:
 """
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("three", [False, True])
 @pytest.mark.parametrize("surface", SURFACES)
 def test_velocities_by_vector_products_in_space(surface: str, three: bool) -> None:

@@ -207,6 +207,7 @@ SYMPY_BICYCLE = {
 }
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("v", [1, seldom(3), 5])
 def test_sympy_bicycle(v: int) -> None:
     """test_kane3.py::test_bicycle, tolerance 1e-12 there; bicycle_example.rst for the eigenvalues."""

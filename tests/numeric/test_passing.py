@@ -176,7 +176,7 @@ OFTEN = {
 }
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("potential", [one if one.startswith(("0.3", "1000")) else seldom(one) for one in OFTEN])
 def test_a_place_that_is_passed_again_and_again(potential: str) -> None:
     """Thirty times, or fifteen: more turns of the argument than a grid over the scene can tell."""

@@ -240,6 +240,7 @@ scenes: {go: {initial: {a: 0.5, b: {near: 0.6}, c: {near: 1.4}, e: {near: 0.2}, 
 _TRIED = "as it does on none of the positions that were tried"
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("more", "warned", "used"),
     [

@@ -93,7 +93,7 @@ def needed(model: ModuleType, need: Any, t: float, y: Any, p: Any) -> Iterator[f
             yield model.velocities(t, y, p)[model.COORDINATES.index(name.removesuffix("'"))]
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize(("name", "scene"), SCENES)
 def test_the_model_of_a_scene_is_the_full_one_on_its_needs(name: str, scene: str) -> None:
     made = reduction(name, scene)
@@ -142,6 +142,7 @@ def test_the_whole_scene_is_the_same_to_its_tolerance_in_emitted_c() -> None:
     assert sum(ratio < 2e-3 for ratio in found.values()) >= len(found) - 2
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("name", "scene"), ENTRIES)
 def test_sizes_of_theory(name: str, scene: str) -> None:
     assert len(reduction(name, scene).reduction.kept) == ENTRIES[name, scene]

@@ -30,6 +30,7 @@ def test_python_reproduces_the_reference(name: str, formulation: str) -> None:
         assert error(model.residuals(t, q, v), [0.0] * len(model.CONSTRAINTS)) < TOLERANCE
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(("name", "formulation"), CASES)
 def test_c_reproduces_the_reference_and_python(name: str, formulation: str, tmp_path: Path) -> None:
     python, c = emitted_python(name, formulation), c_model(name, formulation, tmp_path)

@@ -114,6 +114,7 @@ def circle(count: int) -> float:
     return theta
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     ("method", "compiled", "most"),
     [("dop853", True, 10000), ("dop853", False, 10000), ("dopri5", True, 25000), ("radau5", True, 150000)],

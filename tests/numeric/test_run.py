@@ -57,6 +57,7 @@ def distance(a: list[float], b: list[float]) -> float:
     return max(abs(x - y) for x, y in zip(a, b, strict=True))
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("name", ["contact_oscillator_eps", "chaplygin_sleigh"])
 def test_order_by_slope(name: str, method: str) -> None:
@@ -100,6 +101,7 @@ def test_the_tolerance_is_honoured_at_the_end(entry: dict[str, Any]) -> None:
             assert abs(value - exact) <= tolerance * max(size, 1e-3 * max(sizes)) * max(1.0, entry["sensitivity"])
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
     """Warnings are errors for the model and its integrator together, with everything that a run can have in it."""
@@ -113,6 +115,7 @@ def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("method", STRUCTURE)
 def test_structure_in_c_and_in_python(method: str, tmp_path: Path) -> None:
     """The same motion from both, and C that compiles without a warning, with constraints and without."""
@@ -617,6 +620,7 @@ def test_a_chart_ends_with_advice_where_nothing_compiles(
     assert code == 2 and "= help: name another compiler in `CC`" in err and "internal error" not in err
 
 
+@pytest.mark.slow
 def test_methods_that_keep_all_velocities_say_that_they_do(capsys: pytest.CaptureFixture[str]) -> None:
     for formulation, said in (("euler-lagrange", True), ("multipliers", False)):
         code, _, err = call(capsys, "cvt", "-m", "perlmutter", "-f", formulation, "--points", "2")

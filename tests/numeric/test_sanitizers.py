@@ -163,7 +163,7 @@ def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=ENVIRONMENT, timeout=300)
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(5)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_emitted_c_is_clean_under_sanitizers(name: str, tmp_path: Path) -> None:
     source = read(str(spec_path(name)))

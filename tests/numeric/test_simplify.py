@@ -514,6 +514,7 @@ scenes: {go: {initial: {th: 0.1, v: 1, w: 0.5}, time: [0, 4], need: [x, y]}}
 """
 
 
+@pytest.mark.slow
 def test_models_that_take_very_many_steps_are_given_up() -> None:
     """Without its moment of inertia a body has almost no mass in its turn: the steps of a run become a billion times shorter."""
     ladder = simplify(source(HARD), "go", TOLERANCE)
@@ -696,6 +697,7 @@ def test_no_range_ends_with_minus_zero() -> None:
     assert str(largest["y'"]) == "0.0"
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["bodies/car_trailer", "chaplygin_ball_quaternion", "heavy_top_quaternion"])
 def test_every_candidate_leaves_a_spec_that_can_be_read(name: str) -> None:
     """Also where definitions are nhc's own, of bodies and rotations, and where only names of forces use them."""

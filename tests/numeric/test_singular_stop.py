@@ -36,7 +36,7 @@ def follow(source: Source, scene: str, formulation: str = "", method: str = "dop
     return run(job, Settings(method, points=31, **more))  # type: ignore[arg-type]
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("formulation", ["", "voronec", "multipliers"])
 @pytest.mark.parametrize(
     ("method", "step"), [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.1), ("rk4", 0.013)]

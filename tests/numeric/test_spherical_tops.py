@@ -67,6 +67,7 @@ def is_found(text: str) -> bool:
     return find_in_space(equations_of(made, formulation), kept_forms(made, formulation.frame)) is not None
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_the_rates_are_the_same(name: str) -> None:
     text, with_all, without = SYSTEMS[name], Graph(), WithoutRules(["spherical tops"])

@@ -94,11 +94,13 @@ def test_rolling_and_spinning_disk() -> None:
     assert crossings(spinning) == pytest.approx([math.sqrt(9.81 * 0.5 / 0.3125)], abs=1e-8)
 
 
+@pytest.mark.slow
 def test_sleeping_top_in_angles_that_are_regular_there() -> None:
     found = look("specs/atlas/upright_top.yaml", Question(about="w3=2.5", sweep=("w3", 1.0, 3.0, 6)))
     assert crossings(found) == pytest.approx([math.sqrt(4 * 2.0) / 1.5], abs=1e-7)
 
 
+@pytest.mark.slow
 def test_rattleback_exchanges_its_growing_mode_with_the_sense_of_spin() -> None:
     found = look("rattleback", Question(about="w3=5", sweep=("w3", -5.0, 5.0, 2), lengths=1))
     assert found.motion is not None and found.motion.swept is not None
@@ -195,6 +197,7 @@ def test_rules_that_a_power_is_integrated_by() -> None:
             assert missed < 2.0 * estimate(0.015 * values @ (WEIGHTS - FEWER)) + 1e-13
 
 
+@pytest.mark.sample(3)
 @pytest.mark.parametrize("name", ["snakeboard", "ball_on_table", "bead_on_rod"])
 def test_the_balance_of_power_closes_where_energy_is_not_conserved(name: str) -> None:
     found = look(name, Question(lengths=2))
@@ -602,6 +605,7 @@ def test_a_question_about_what_is_not_there(capsys: pytest.CaptureFixture[str]) 
     assert main(["stability", "bead_on_rod", "--about", "r=5", "--hold", "r=5", "--sweep", "Omega=1:2"]) == 3
 
 
+@pytest.mark.slow
 def test_a_scene_that_leads_its_formulation_astray_is_studied_with_multipliers() -> None:
     """A crank leaves the range declared for it, where the velocities chosen there become singular; nobody asked for them."""
     text = """nhc: 1

@@ -286,6 +286,7 @@ def test_rates_of_the_constraints_divide_by_nothing_that_velocities_do_not() -> 
     )
 
 
+@pytest.mark.slow
 def test_a_coframe_of_six_rows_is_left_before_it_is_singular() -> None:
     """A bicycle whose determinant is everywhere a small part of what its rows allow."""
     text = (

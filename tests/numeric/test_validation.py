@@ -54,6 +54,7 @@ def verdicts(text: str) -> dict[str, Kept]:
     return compare(Source("spec.yaml", text))[1]
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 def test_of_every_gallery_system(path: Path) -> None:
     system = resolve(decode(read(str(path))))
@@ -68,6 +69,7 @@ def test_of_functions_that_jump() -> None:
         assert set(functions.values()) == {True}
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize(
     "name",
     ["chaplygin_sleigh", "snakeboard", "heavy_top_quaternion", "holonomic_pendulum", "n_snake3", "pumped_pendulum"],
@@ -146,7 +148,7 @@ def test_an_error_on_the_way_is_told(
 # --- the models of scenes -----------------------------------------------------------------------------------
 
 
-@pytest.mark.sample(3)
+@pytest.mark.sample(6)
 @pytest.mark.parametrize("path", GALLERY, ids=lambda path: path.stem)
 def test_of_every_scene_of_the_gallery(path: Path) -> None:
     source = read(str(path))

@@ -98,6 +98,7 @@ def net(stiffness: str = "k") -> Source:
     )
 
 
+@pytest.mark.slow
 def test_a_net_of_springs_is_derived_alike_in_every_formulation() -> None:
     made = certify(resolve(decode(net())))
     assert made.holds and made.is_sure and len(made.agreements) == 4

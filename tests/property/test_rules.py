@@ -133,6 +133,7 @@ def test_a_rule_of_whole_systems_fires_and_keeps_the_value(rule: str) -> None:
     assert count(system) != count(system, (rule,))
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("rule", sorted(NAMES))
 def test_the_emitted_code_has_the_same_values(rule: str) -> None:
     system = WHOLE.get(rule, "trailers3")

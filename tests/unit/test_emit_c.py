@@ -91,6 +91,7 @@ def run_driver(program: Program, folder: Path, *arguments: str) -> subprocess.Co
     return subprocess.run([folder / "run", *arguments], capture_output=True, text=True, timeout=60)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("name", CASES)
 def test_every_program_compiles_without_a_warning(name: str, compiler: str, tmp_path: Path) -> None:

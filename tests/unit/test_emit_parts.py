@@ -37,6 +37,7 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batch, "USUAL", 60)
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize("machine", ["", "-mavx512f", "-DLONG_CHAIN_LANES=1"])
 def test_it_compiles_without_a_warning(compiler: str, machine: str, tmp_path: Path) -> None:

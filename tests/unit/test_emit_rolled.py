@@ -109,7 +109,7 @@ def evaluate(library: ctypes.CDLL, chain: Program, y: list[float]) -> dict[str, 
     return found
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("name", "width"), [*((name, 2) for name in CHAINS), seldom("joints8", 1), ("pendulum20", 4)])
 def test_loops_give_the_same_doubles(name: str, width: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     chain = program(name)
@@ -125,6 +125,7 @@ def test_loops_give_the_same_doubles(name: str, width: int, tmp_path: Path, monk
     assert all(status == 0 for status, _ in found[0.0].values())
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("compiler", COMPILERS)
 @pytest.mark.parametrize(("name", "trig"), [("joints8", "plain"), ("driven12", "inline"), ("unlike16", "plain")])
 def test_loops_compile_without_a_warning(compiler: str, name: str, trig: str, tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ def test_check_of_a_constraint_with_a_domain(form: str, tmp_path: Path, capsys: 
     assert "truly nonholonomic" in capsys.readouterr().out
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("constraint", ["", "constraints: [\"z' = y*x'\"]\n"])
 @pytest.mark.parametrize("form", FORMS)
 def test_every_verb_about_a_start_without_value(

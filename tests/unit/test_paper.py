@@ -111,7 +111,7 @@ def test_parts_bring_their_abbreviations() -> None:
             assert not used or name in defined, name
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize("name", GALLERY)
 def test_every_system_has_its_sheets(name: str) -> None:
     made, equations = derive(name)
@@ -131,6 +131,7 @@ def test_every_system_has_its_sheets(name: str) -> None:
 # --- exactness ------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.sample(2)
 @pytest.mark.parametrize("name", GALLERY)
 def test_printed_equations_are_the_program_s(name: str) -> None:
     """Mass and force of the motion sheet, evaluated through all abbreviations, equal those of the associated system."""

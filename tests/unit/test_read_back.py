@@ -62,7 +62,7 @@ def list_sides(made: Derivation) -> Iterator[Side]:
                 yield from (item.left, item.right)
 
 
-@pytest.mark.sample(2)
+@pytest.mark.sample(4)
 @pytest.mark.parametrize(("name", "formulation"), [(n, f.name) for n, s in CASES.items() for f in applicable(s)])
 def test_formulas_are_read_back(name: str, formulation: str) -> None:
     system = CASES[name]
