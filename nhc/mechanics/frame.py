@@ -8,6 +8,7 @@ The coordinate coframe of Čaplygin and Voronec is the one whose free forms are 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, tangent
@@ -301,12 +302,22 @@ def describe_added(system: System, frame: Frame | None) -> dict[str, str]:
 
 def _describe(system: System, form: Form) -> str:
     g, line = system.graph, form.line
-    text = to_text(g, form_value(system, form), _LONGEST_FORM)
+    text = to_text(g, substitute(g, [form_value(system, form)], _by_angular(system))[0], _LONGEST_FORM)
     if line is None or not text.endswith("…"):
         return text
     omega = velocity_symbol(system, form)
     values = [(j, g.add(g.mul(line.vector[j], omega), line.carried[j])) for j in line.columns]
     return ", ".join(f"{system.q_names[j]}' = {to_text(g, value, _LONGEST_FORM)}" for j, value in values)
+
+
+def _by_angular(system: System) -> dict[Node, Node]:
+    """The angular velocities of rotations in what is made of them: without the numbers in front, which go elsewhere in products."""
+    g, found = system.graph, dict[Node, Node]()
+    for form in system.quasi:
+        if form.name in system.angular:
+            number, core = g.split_coefficient(form_value(system, form))
+            found[core] = g.mul_number(1 / Fraction(number), velocity_symbol(system, form))
+    return found
 
 
 def velocity_symbol(system: System, form: Form) -> Node:

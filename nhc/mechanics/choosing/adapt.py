@@ -12,22 +12,26 @@ from dataclasses import replace
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Node
+from nhc.algebra.walks import reachable
+from nhc.mechanics.choosing.energy import free_energy
 from nhc.mechanics.choosing.headings import Axes, along_headings, on_axes
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.minors import adapted_forms, stepwise_forms, unused_name
 from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish
+from nhc.mechanics.choosing.spins import spins
 from nhc.mechanics.choosing.stepwise import order_stepwise
-from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.frame import coordinate_form, form_value, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import (
     choose_dependent,
     coframe_weakness,
     relative_determinant,
     weak_where_constraints_are_not,
 )
-from nhc.mechanics.regular.trials import ordinary_points, sampled_rows
+from nhc.mechanics.regular.trials import ordinary_points, sampled_rows, trial_points
 from nhc.mechanics.system import Form, System
 
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
+_SAME = 1e-9  # of the largest entry of T's matrix
 _ALIKE = 0.03  # what two completions on axes may differ by, of which the first is taken
 _FEW_COORDINATES = 8  # of mechanisms up to which multipliers are short
 
@@ -177,13 +181,14 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     candidates = turning_choices(system, forms)
     best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
     if _least_at_starts(system, best) >= _WEAK**system.l:
-        return _with_edges(system, forms, best)
+        return _with_places(system, forms, _with_edges(system, forms, best))
     pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
     angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
     # the rates of quaternions may be regular at more places, but nobody speaks in them
     strong = strongest(system, forms, [angular, pool[len(angular) : -system.n]], _start_points(system))
     made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
-    return max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
+    soundest = max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
+    return _with_places(system, forms, soundest)
 
 
 def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
@@ -201,6 +206,47 @@ def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
     if _least_at_starts(system, trial) < _WEAK**system.l or count_weak(system, trial) >= count_weak(system, best):
         return best
     return trial
+
+
+def _with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
+    """``best``, or the velocities of coordinates before angular ones, where these are as regular and T is simpler in them.
+
+    Of a ball in a cone the angular velocity has a full matrix that moves; with the rates of its place and the spin about the normal
+    the matrix is diagonal and holds the distance from the tip alone.  Where constraints hold roots, as those of a paraboloid's
+    normal, what cancels there is too long to be seen, and other velocities come out longer.
+    """
+    g, every = system.graph, [coordinate_form(system, j) for j in range(system.n)]
+    written = [form_value(system, form) for form in system.constraints]
+    if any(g.op[node] in ("sqrt", "powf") for node in reachable(g, written)):
+        return best
+    pools = _turning_pools(system, every)
+    free = [form for form in pools[0][: -system.n] if form.name in system.q_names]
+    first = [own for own in ([*free, *spins(system)], free) if own]
+    made = [_extend(system, forms, system.n - system.l, [*own, *pool]) for own in first for pool in pools]
+    least, simplest = _least_at_starts(system, best), _moving_entries(system, best)
+    for trial in _in_one_order(made, [*forms, *pools[0]]):
+        if {form.name for form in trial} == {form.name for form in best} or not simplest:
+            continue
+        entries = _moving_entries(system, trial)
+        if not entries < simplest or _least_at_starts(system, trial) < min(least, _WEAK**system.l):
+            continue
+        if count_weak(system, trial) <= count_weak(system, best):
+            best, simplest = trial, entries
+    return best
+
+
+def _moving_entries(system: System, made: Sequence[Form]) -> tuple[int, int]:
+    """How many entries of T's matrix in these velocities move, and how many are off its diagonal."""
+    frame = make_frame(system, made, [velocity_symbol(system, form) for form in made])
+    one, other = (free_energy(system, frame, dict(place)) for place in trial_points(system)[-2:])
+    pairs = [
+        (i == k, x, y)
+        for i, (row, second) in enumerate(zip(one, other, strict=False))
+        for k, (x, y) in enumerate(zip(row[: i + 1], second, strict=False))
+    ]
+    size = _SAME * max((abs(x) for _, x, _ in pairs), default=0.0)
+    moving = sum(abs(x - y) > size for _, x, y in pairs)
+    return moving, sum(not own and max(abs(x), abs(y)) > size for own, x, y in pairs)
 
 
 def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:

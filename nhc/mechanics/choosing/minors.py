@@ -136,6 +136,7 @@ def unused_name(system: System, others: Sequence[str]) -> str:
         *(p.name for p in spec.parameters),
         *(d.name for d in spec.definitions),
         *(d.name for d in spec.quasi_velocities),
+        *(name for rotation in spec.rotations for name in rotation.velocities),
         *(o.name for o in spec.outputs),
     }
     name, k = "v", 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -107,14 +108,16 @@ def _keep_speeds(
     spec need not be near a steady motion: its own small velocities are disturbances that need not stay, nor should its others lead
     far away.
     """
-    far, best = _FARTHER * _way(model, guess, nearest), nearest
+    best, far = nearest, (_FARTHER * _way(model, guess, nearest), _FARTHER * _jolt(model, guess, nearest))
     for share, loose, hold in sorted(asked, key=lambda one: -one[0]):
         if loose and share <= _SLIGHT:
             continue
         kept = (*holds, hold)
         if abs(model.value(best.y, hold.node) - hold.value) > SNAP * abs(hold.value):
             other = _find(model, best.y, kept)
-            if other is None or (loose and _way(model, guess, other) > far):
+            if other is None:
+                continue
+            if loose and _way(model, guess, other) > far[0] and _jolt(model, guess, other) > far[1]:
                 continue
             best = other
         holds = kept
@@ -153,6 +156,15 @@ def _way(model: SteadyModel, guess: Sequence[float], steady: Steady) -> float:
         model = model.in_units(guess)
     way = np.array(model.inside(steady.y)) - np.array(model.inside(guess))
     return float(np.linalg.norm(way[list(model.rest)]))
+
+
+def _jolt(model: SteadyModel, guess: Sequence[float], steady: Steady) -> float:
+    """How far its velocities are from the guess, by the kinetic energy of the difference: a small ball's spin is soon another."""
+    kept = model.flow.kept
+    change = np.array(steady.y[len(steady.y) - kept :]) - np.array(guess[len(guess) - kept :])
+    with suppress(ArithmeticError):
+        return float(np.sqrt(abs(change @ model.mass(guess)[:kept, :kept] @ change)))
+    return math.inf
 
 
 def _share(model: SteadyModel, guess: Sequence[float], hold: Hold) -> float:

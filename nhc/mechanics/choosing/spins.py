@@ -1,0 +1,67 @@
+"""The spin of a body that rolls about the normal of what it rolls on: the angular velocity that rolling leaves free.
+
+Rolling without slipping is two rows a . omega = ... and b . omega = ... of the body's angular velocity; with the velocity of its
+place, a x b . omega completes them: it belongs to the direction in which neither of them holds the body.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import Factor, common, split_parameters
+from nhc.algebra.rebuilding import substitute
+from nhc.mechanics.choosing.minors import unused_name
+from nhc.mechanics.frame import form_value
+from nhc.mechanics.rotations.turning import from_base, moving
+from nhc.mechanics.rotations.turns import cross
+from nhc.mechanics.system import Form, System
+
+_ALL = -1
+"""The mask of all symbols."""
+
+
+def spins(system: System) -> list[Form]:
+    """One form for each rotation that two rows hold, which hold no other, if these do not see how it has turned."""
+    g, found, names = system.graph, list[Form](), list[str]()
+    held = _angular_rows(system)
+    by_name = {form.name: form for form in system.quasi}
+    for k, (rotation, written) in enumerate(zip(system.rotations, system.spec.rotations, strict=True)):
+        rows = [row for row in held if any(x != g.zero for x in row[k])]
+        if len(rows) != 2 or not by_name.keys() >= set(written.velocities):
+            continue
+        if any(x != g.zero for row in rows for j, part in enumerate(row) if j != k for x in part):
+            continue
+        first, second = (row[k] for row in rows)
+        normal = _without_factor(g, cross(g, (first[0], first[1], first[2]), (second[0], second[1], second[2])))
+        if g.depends(g.sum(normal), g.mask([system.q[place] for place in rotation.places])):
+            continue
+        value = g.dot(normal, [form_value(system, by_name[w]) for w in written.velocities])
+        names.append(unused_name(system, names))
+        found.append(Form.written(names[-1], value, g, system.v, ""))
+    return found
+
+
+def _angular_rows(system: System) -> list[list[list[Node]]]:
+    """Of each constraint, by rotation, the coefficients of the angular velocity."""
+    g = system.graph
+    unknowns = [g.symbol(name, "unknown") for name in system.q_names]
+    on_base = moving(system, from_base(system, unknowns, system.rotations))
+    rows = substitute(g, [form_value(system, form) for form in system.constraints], on_base)
+    turning = [[unknowns[k] for k in rotation.places[1:]] for rotation in system.rotations]
+    return [[gradient(g, row, own) for own in turning] for row in rows]
+
+
+def _without_factor(graph: Graph, vector: Sequence[Node]) -> list[Node]:
+    """The vector without the factors that all of its components have, most of them without a minus sign in front."""
+    g = graph
+    split = [split_parameters(g, x, _ALL) for x in vector]
+    shared = common([factor for factor, sign in split if sign != g.zero])
+    negative = 2 * sum(g.value(sign) == -1 for _, sign in split) > sum(sign != g.zero for _, sign in split)
+    made = []
+    for factor, sign in split:
+        powers = {base: n - shared.powers.get(base, 0) for base, n in factor.powers.items()}
+        left = Factor(factor.number / shared.number, powers).node(g)
+        made.append(g.mul(g.neg(sign) if negative else sign, left))
+    return made
