@@ -11,6 +11,7 @@ theorem of energy.  A_mu(X) is evaluated by directional derivatives of T's veloc
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -92,10 +93,13 @@ class Equations:
 class Projector:
     """Contracts the Lagrange expression of one system with vectors along one motion.
 
-    With ``moved``, T's forms are those on moving axes: their values, rates and weights are at hand.
+    With ``moved``, T's forms are those on moving axes: their values, rates and weights are at hand; those of T's forms that are
+    forms of ``frame``, too, are its velocities as they stand.
     """
 
-    def __init__(self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None) -> None:
+    def __init__(
+        self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None, frame: Frame | None = None
+    ) -> None:
         kinetic = moved.kinetic if moved else kinetic
         self.system, self.kinetic, self.motion = system, kinetic, motion
         g = system.graph
@@ -104,7 +108,10 @@ class Projector:
         self._known = dict(zip(moved.frame.free_vectors, moved.weights, strict=True)) if moved else {}
         self._moved = moved is not None
         self.carried = moved.carried if moved else (False,) * len(kinetic.u)
+        self._shared = {} if moved or frame is None else _shared_forms(kinetic, frame)
         self.u = list(moved.u) if moved else substitute(g, kinetic.atoms, on_motion)
+        for k, (number, j) in self._shared.items():
+            self.u[k] = g.mul_number(number, motion.w[j])
         to_motion = dict(zip(kinetic.u, self.u, strict=True))
         count = len(kinetic.u)
         places = [[(j, h) for j, h in enumerate(row) if h] for row in kinetic.hessian]
@@ -115,6 +122,7 @@ class Projector:
         self._to_motion = Replacement(g, self._values)
         self._on_places = Replacement(g, moved.places if moved else {})
         self._along = Direction(system, motion.velocities, g.one)
+        self._places = {} if frame is None else {tuple(e): j for j, e in enumerate(motion.vectors)}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
         drift = moved.drift if moved else tangent(g, self.u, self._along.seeds)
         explicit = self._to_motion.of(self._explicit_rates())
@@ -130,7 +138,12 @@ class Projector:
         known = self._known.get(tuple(e))
         if known is not None:
             return list(known.forms)
-        return self._to_motion.of(tangent(g, self.kinetic.atoms, moving(self.system, e)))
+        found = self._to_motion.of(tangent(g, self.kinetic.atoms, moving(self.system, e)))
+        place = self._places.get(tuple(e))
+        if place is not None:
+            for k, (number, j) in self._shared.items():
+                found[k] = g.number(number) if j == place else g.zero
+        return found
 
     def _explicit_rates(self) -> list[Node]:
         """d pi_k / dt at fixed u: only where T's coefficients move."""
@@ -285,6 +298,21 @@ class Projector:
         flat = [x for torque in system.torques for x in torque]
         values = self._to_motion.of([*system.Q, *flat])
         return values[: system.n], values[system.n :]
+
+
+def _shared_forms(kinetic: Kinetic, frame: Frame) -> dict[int, tuple[Fraction, int]]:
+    """The forms of T that are free forms of the frame: a number, and the place of the velocity that it is so many times of."""
+    g, found = frame.graph, dict[int, tuple[Fraction, int]]()
+    written = [form.value for form in frame.forms[frame.system.l :]]
+    own = {
+        rest: (number, j) for j, x in enumerate(written) if x is not None for number, rest in [g.split_coefficient(x)]
+    }
+    for k, atom in enumerate(kinetic.atoms):
+        number, rest = g.split_coefficient(atom)
+        if rest in own:
+            divisor, j = own[rest]
+            found[k] = (Fraction(number) / divisor, j)
+    return found
 
 
 def _is_unit(graph: Graph, e: Sequence[Node]) -> bool:

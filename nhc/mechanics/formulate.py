@@ -224,7 +224,7 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
     motion = motion_of(system, replace(formulation, frame=frame))
     if moved is not None:
         motion = replace(motion, velocities=moved.velocities)
-    projector = Projector(system, kinetic, motion, moved)
+    projector = Projector(system, kinetic, motion, moved, frame)
     rows = projector.rows()
 
     def react() -> tuple[Row, ...]:

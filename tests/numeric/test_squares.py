@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import re
+from collections.abc import Callable
 
 import pytest
 import sympy
@@ -90,8 +91,13 @@ def text_of(name: str) -> str:
 
 def multiplied_out(text: str) -> str:
     """The spec with T as a sum of products."""
+    return rewritten(text, sympy.expand)
+
+
+def rewritten(text: str, how: Callable[[sympy.Expr], sympy.Expr]) -> str:
+    """The spec with T as SymPy prints it after a rewriting."""
     system = system_of(text)
-    energy = sympy.expand(to_sympy(system.graph, system.T))
+    energy = how(to_sympy(system.graph, system.T))
     names = {}
     for k, symbol in enumerate(system.graph.symbols):
         own = f"rate_of_{symbol.name}" if symbol.kind == "velocity" else f"name_{symbol.name}"

@@ -16,6 +16,7 @@ from nhc.algebra.graph import ADD, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.walks import count, reachable
+from nhc.mechanics.energies.angles import are_products
 from nhc.mechanics.energies.squares import squares_of
 from nhc.mechanics.system import System
 
@@ -26,6 +27,8 @@ def complete_squares(system: System, *, longer: bool = False) -> Node | None:
     ``longer``: T is one already, and may become a little longer where that says that a mass is a point.
     """
     g, found = system.graph, [squares_of(system, longer=longer)]
+    if are_products(system):
+        found.append(squares_of(system, all_angles=True))
     for other, back in _by_links(system):
         made = squares_of(other)
         if made is not None:

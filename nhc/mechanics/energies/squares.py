@@ -18,27 +18,22 @@ from itertools import combinations
 
 from nhc.algebra.calculus import derivative, tangent
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
-from nhc.algebra.graph import ADD, Node
+from nhc.algebra.graph import Node
 from nhc.algebra.polynomial import polynomial, to_node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.terms import divide, put, root, root_of_ratio
-from nhc.algebra.walks import count, reachable
+from nhc.algebra.walks import count
+from nhc.mechanics.energies.angles import take_apart
+from nhc.mechanics.energies.entries import TERMS, Entries, Mass, Quadratic
 from nhc.mechanics.energies.names import Names
 from nhc.mechanics.rotations.turning import along
 from nhc.mechanics.system import System
 from nhc.records import record
 
-_TERMS = 4000
-"""Terms of an energy that is looked at."""
 _LONGER = 1.25
 """How many times as long squares may be where they say more: that a mass is a point, too."""
 _FORMS = 12
 """Forms up to which products of two are looked for."""
-Entries = dict[tuple[int, int], Polynomial]
-"""P_ij for i <= j, each off the diagonal half of what stands in T; the last index is that of what has no velocity."""
-
-Mass = tuple[Node, ...]
-"""Parameters whose product stands before entries."""
 
 
 @record
@@ -50,29 +45,31 @@ class Square:
     of: int
 
 
-def squares_of(system: System, *, longer: bool = False) -> tuple[Node, Node] | None:
+def squares_of(system: System, *, longer: bool = False, all_angles: bool = False) -> tuple[Node, Node] | None:
     """T as a sum of squares, as far as it seems one, and the same with squares of points that masses without products are at; None
     where that is not shorter, or says nothing else, or T is no polynomial of degree two.
+
+    ``all_angles``: sines and cosines of all sums of coordinates are taken apart, not those of differences alone.
     """
     with suppress(TooLarge):
-        return _Energy(system).complete(_LONGER if longer else 1.0)
+        return _Energy(system, all_angles).complete(_LONGER if longer else 1.0)
     return None
 
 
 class _Energy:
     """T by masses."""
 
-    def __init__(self, system: System) -> None:
-        self.system, self.graph = system, system.graph
+    def __init__(self, system: System, all_angles: bool = False) -> None:
+        self.system, self.graph, self.all_angles = system, system.graph, all_angles
         g = self.graph
-        self.v = [*system.v, g.one]
+        self.terms, self.v = Quadratic(system), [*system.v, g.one]
         self.seeds = {**along(system, system.v), system.t: g.one}
-        self.parameters = g.mask(system.p)
         self.names = Names(system)
 
     def complete(self, most: float) -> tuple[Node, Node] | None:
         g, system = self.graph, self.system
-        peeled = {mass: self._peel(own) for mass, own in self._by_mass(polynomial(g, self._open(), _TERMS)).items()}
+        energy = polynomial(g, take_apart(system, self.all_angles), TERMS)
+        peeled = {mass: self._peel_joined(own) for mass, own in self.terms.by_mass(energy).items()}
         peeled = {mass: ([*map(self._begin_at_one, squares)], rest) for mass, (squares, rest) in peeled.items()}
         made = self._assemble(peeled)
         size, before = count(g, [made]), count(g, [system.T])
@@ -95,7 +92,7 @@ class _Energy:
                 g.mul_number(square.factor, g.sum([g.power(form, 2) for form in own]))
                 for square, own in zip(squares, named[mass], strict=True)
             ]
-            left = self._node(rest)
+            left = self.terms.node(rest)
             parts.append(g.mul(g.product(mass), g.add(g.sum(terms), self._as_product(left, forms) or left)))
         return g.sum(parts)
 
@@ -106,34 +103,13 @@ class _Energy:
             square.factor * number**2, tuple(g.mul_number(1 / number, form) for form in square.forms), square.of
         )
 
-    def _open(self) -> Node:
-        """T with sines and cosines of differences of coordinates by those of the coordinates."""
-        g, q, mapping = self.graph, self.system.q, dict[Node, Node]()
-        for node in reachable(g, [self.system.T]):
-            if g.op[node] not in ("sin", "cos") or g.op[g.a[node]] != ADD:
-                continue
-            angle = g.a[node]
-            slopes = {x: g.value(derivative(g, angle, x)) for x in q if g.depends(angle, g.deps[x])}
-            parts = [x if slope == 1 else g.neg(x) for x, slope in slopes.items()]
-            if set(slopes.values()) != {1, -1} or g.sub(angle, g.sum(parts)) != g.zero:
-                continue
-            sine, cosine = g.zero, g.one
-            for part in parts:
-                s, c = g.function("sin", part), g.function("cos", part)
-                sine, cosine = (
-                    g.add(g.mul(sine, c), g.mul(cosine, s)),
-                    g.sub(g.mul(cosine, c), g.mul(sine, s)),
-                )
-            mapping[node] = sine if g.op[node] == "sin" else cosine
-        return substitute(g, [self.system.T], mapping)[0]
-
     def _as_product(self, left: Node, forms: Sequence[Node]) -> Node | None:
         """A multiple of the product of two forms, as of a product of inertia; None where it is not."""
         if len(forms) > _FORMS or not self.graph.kids[left]:
             return None
-        g, p = self.graph, polynomial(self.graph, left, _TERMS)
+        g, p = self.graph, polynomial(self.graph, left, TERMS)
         for x, y in combinations(forms, 2):
-            product = polynomial(g, g.mul(x, y), _TERMS)
+            product = polynomial(g, g.mul(x, y), TERMS)
             if product.keys() == p.keys():
                 m, c = next(iter(p.items()))
                 ratio = Fraction(c) / product[m]
@@ -141,34 +117,18 @@ class _Energy:
                     return g.mul_number(ratio, g.mul(x, y))
         return None
 
-    def _by_mass(self, energy: Polynomial) -> dict[Mass, Entries]:
-        """The entries that belong to each product of parameters of which T is linear."""
-        exponents: dict[Node, set[int]] = {p: set() for p in self.system.p}
-        for monomial in energy:
-            for factor, e in monomial:
-                if factor in exponents:
-                    exponents[factor].add(e)
-        linear = {p for p, found in exponents.items() if found == {1}}
-        place, velocities = {v: i for i, v in enumerate(self.system.v)}, self.graph.mask(self.system.v)
-        found: dict[Mass, Entries] = {}
-        for monomial, c in energy.items():
-            mass = tuple(f for f, _ in monomial if f in linear)
-            moved = [place[f] for f, e in monomial if f in place for _ in range(e)]
-            rest = tuple((f, e) for f, e in monomial if (f not in place or e < 0) and f not in linear)
-            i, j = sorted([*moved, len(place), len(place)][:2])
-            if len(moved) > 2 or any(self.graph.deps[f] & velocities for f, _ in rest):
-                raise TooLarge
-            put(found.setdefault(mass, {}), (i, j), rest, c if i == j else Fraction(c) / 2)
-        return found
-
-    def _node(self, entries: Entries) -> Node:
-        g, v = self.graph, self.v
-        return g.sum(
-            [
-                g.mul(to_node(g, {m: c * (1 + (i != j)) for m, c in p.items()}), g.mul(v[i], v[j]))
-                for (i, j), p in sorted(entries.items())
-            ]
-        )
+    def _peel_joined(self, entries: Entries) -> tuple[list[Square], Entries]:
+        """Squares, and what is left; where a square of a sum of parameters was multiplied out, with one parameter for that sum."""
+        joined, back = self.terms.join(entries)
+        squares, rest = self._peel(joined)
+        if not back:
+            return squares, rest
+        for symbol, arm in reversed(back):
+            put_in = {symbol: arm}
+            squares = [Square(s.factor, (*substitute(self.graph, s.forms, put_in),), s.of) for s in squares]
+        for square in squares:
+            entries = self._without(entries, square)
+        return squares, entries
 
     def _peel(self, entries: Entries) -> tuple[list[Square], Entries]:
         """Squares, and what is left when no other is found."""
@@ -206,23 +166,15 @@ class _Energy:
                     return [begun]
         return []
 
-    def _moves(self, p: Polynomial) -> bool:
-        return any(self.graph.deps[f] & ~self.parameters for m in p for f, _ in m)
-
     def _stays(self, entries: Entries, left: Entries) -> bool:
         """Whether no entry of the diagonal moves that did not."""
         diagonal = [(entries.get(key, {}), p) for key, p in left.items() if key[0] == key[1]]
-        return all(self._moves(before) for before, p in diagonal if self._moves(p))
+        return all(self.terms.moves(before) for before, p in diagonal if self.terms.moves(p))
 
     def _without(self, entries: Entries, square: Square) -> Entries:
-        g, place = self.graph, {v: i for i, v in enumerate(self.system.v)}
-        left = {key: dict(p) for key, p in entries.items()}
-        for monomial, c in polynomial(g, g.sum([g.power(form, 2) for form in square.forms]), _TERMS).items():
-            moved = [place[f] for f, e in monomial if f in place for _ in range(e)]
-            i, j = sorted([*moved, len(place), len(place)][:2])
-            rest = tuple((f, e) for f, e in monomial if f not in place)
-            put(left, (i, j), rest, -square.factor * c / (1 + (i != j)))
-        return {key: p for key, p in left.items() if p}
+        return self.terms.plus(
+            entries, self.graph.sum([self.graph.power(form, 2) for form in square.forms]), -square.factor
+        )
 
     def _candidates(self, entries: Entries) -> Iterator[list[Square]]:
         """Squares of points first, the ends of chains before what carries them; then of forms of rank one."""
@@ -254,7 +206,7 @@ class _Energy:
         if len(entries[n, n]) != 1:
             return []
         ((square, factor),) = entries[n, n].items()
-        if any(e % 2 or g.deps[f] & ~self.parameters for f, e in square):
+        if any(e % 2 or g.deps[f] & ~self.terms.parameters for f, e in square):
             return []
         arm = tuple((f, e // 2) for f, e in square)
         row = {j: self._entry(entries, n, j) for j in range(len(self.v)) if j != n}
@@ -313,7 +265,7 @@ class _Energy:
                 put(found.setdefault(unit, {}), j, rest, c)
         found = {unit: parts for unit, parts in found.items() if any(parts.values())}
         squares = g.sum([g.power(to_node(g, {unit: Fraction(1)}), 2) for unit in found])
-        missing = polynomial(g, g.sub(g.one, squares), _TERMS)
+        missing = polynomial(g, g.sub(g.one, squares), TERMS)
         if missing:
             last = root(g, missing)
             if last is None or last[0] != 1:

@@ -18,7 +18,7 @@ Terms = dict[int, Node]
 Term = tuple[int, Node]  # rate and coefficient
 Weights = dict[tuple[int, int], Node]
 _MANY = 4  # terms of a form for each rate beyond which it is no sum along a chain
-_WIDE = 2.5  # terms per definition, on average, beyond which the forms are read again from their terms
+_SHORT = 2  # terms of definitions, beyond which the forms are read again from their terms
 
 
 @structure
@@ -56,9 +56,9 @@ def read_recursion(
         return None
     heads = {next(iter(form)) for form in found.forms if form}
     between = len(found.definitions) > sum(i >= found.rates for i in heads)  # sums that are no forms of T
-    if not between and sum(map(len, found.definitions)) <= _WIDE * len(found.definitions):
+    if not between and max(map(len, found.definitions), default=0) <= _SHORT:
         return found
-    other = _by_terms(graph, found)
+    other = _continue_single_terms(graph, _by_terms(graph, found), parameters)
     return min(found, other, key=lambda r: sum(map(len, r.definitions)))
 
 
@@ -175,6 +175,7 @@ def _by_terms(graph: Graph, wide: Recursion) -> Recursion:
             return wide
     heads = [form for form in wide.forms if form and next(iter(form)) >= wide.rates]
     wanted = sorted({next(iter(form)) - wide.rates for form in heads})
+    turned = _turn_alike(graph, flat, wanted)
     count: dict[Term, int] = {}
     for k in wanted:
         for term in flat[k]:
@@ -183,9 +184,22 @@ def _by_terms(graph: Graph, wide: Recursion) -> Recursion:
     made = Recursion(wide.rates)
     numbers = _trie(graph, made, paths)
     made.forms = [
-        {numbers.get(i - wide.rates, i) if i >= wide.rates else i: a for i, a in form.items()} for form in wide.forms
+        {numbers.get(i - wide.rates, i): graph.neg(a) if i - wide.rates in turned else a for i, a in form.items()}
+        for form in wide.forms
     ]
     return made
+
+
+def _turn_alike(graph: Graph, flat: list[list[Term]], wanted: Sequence[int]) -> set[int]:
+    """Changes the signs of those that have more terms with forms before them in common then, and says which."""
+    met, turned = set[Term](), set[int]()
+    for k in wanted:
+        opposite = [(rate, graph.neg(a)) for rate, a in flat[k]]
+        if sum(term in met for term in opposite) > sum(term in met for term in flat[k]):
+            flat[k] = opposite
+            turned.add(k)
+        met.update(flat[k])
+    return turned
 
 
 def _flatten(graph: Graph, rates: int, terms: Terms, before: Sequence[Sequence[Term]]) -> list[Term]:

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:7dc6b0cbd89274fc)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:9ba8d657dc8db6bb)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Equations of motion: chaplygin (III.3)
@@ -234,11 +234,11 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* sines and cosines */
-    const double z3 = t * nu;
+    const double z1 = t * nu;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s1 = sin(z3);
-    const double c1 = cos(z3);
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
     const double s_phi = sin(phi);
     const double c_phi = cos(phi);
 
@@ -255,49 +255,47 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *restri
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* from the parameters alone */
-    const double k1 = m * a;
-    const double k2 = a * k1;
-    const double k3 = 1.0 + k;
+    const double k1 = m * a * a;
+    const double k2 = 1.0 + k;
+    const double k3 = k1 * k2;
     const double k4 = Omega1 * nu;
-    const double k5 = k2 * k3;
-    const double k6 = -k1 / k5;
+    const double k5 = 1.0 / k2;
+    const double k6 = 1.0 / a;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = z1 * k5;
     const double Omega = Omega0 + Omega1 * s1;
-    const double z4 = psi_dot * s_theta;
-    const double z5 = Omega * Omega;
-    const double z6 = c1 * k4;
-    const double z7 = c_phi * z5 - s_phi * z6;
-    const double z8 = s_phi * z5 + c_phi * z6;
-    const double z9 = Omega + phi_dot * k3;
-    const double z10 = k1 * (x * z7 + y_2 * z8 - a * (theta_dot * (z9 - psi_dot * c_theta * k3))) / z2;
+    const double z2 = psi_dot * s_theta;
+    const double z3 = 1.0 / s_theta;
+    const double z4 = Omega * Omega;
+    const double z5 = c1 * k4;
+    const double z6 = c_phi * z4 - s_phi * z5;
+    const double z7 = s_phi * z4 + c_phi * z5;
+    const double z8 = k5 * (theta_dot * Omega - k6 * (x * z6 + y_2 * z7));
     /* (I.1.2) */
-    dydt[0] = a * (theta_dot * s_phi - c_phi * z4) - y_2 * Omega; /* x' */
-    dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z4); /* y' */
+    dydt[0] = a * (theta_dot * s_phi - c_phi * z2) - y_2 * Omega; /* x' */
+    dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z2); /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (III.3) 25:4 */
-    dydt[5] = s_theta * (theta_dot * psi_dot + c_theta * z10); /* phi'' */
-    dydt[6] = (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6; /* theta'' */
-    dydt[7] = -s_theta * z10; /* psi'' */
+    dydt[5] = z3 * (theta_dot * psi_dot - c_theta * (phi_dot * theta_dot + z8)); /* phi'' */
+    dydt[6] = -(k5 * (Omega * z2 - k6 * (x * z7 - y_2 * z6)) + phi_dot * z2); /* theta'' */
+    dydt[7] = z3 * (theta_dot * (phi_dot - psi_dot * c_theta) + z8); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
-    if (!(fabs(k) > 0.0 * (dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7])
-        && fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
-        /* the mass matrix is singular, if k * k2 is 0 */
-        if (!(fabs(k * k2) > 0.0)) {
-            return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
+    if (!(fabs(k * m) > 0.0 * (dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7])
+        && fabs(s_theta) > 1e-07 * 4.0)) {
+        /* the mass matrix is singular, if k * k1 is 0 */
+        if (!(fabs(k * k1) > 0.0)) {
+            return ball_on_table_refuse(fabs(k * k1), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, if k5 is 0 */
-        if (!(fabs(k5) > 0.0)) {
-            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        /* the mass matrix is singular, if k3 is 0 */
+        if (!(fabs(k3) > 0.0)) {
+            return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, if z2 is nearly 0 */
-        if (!(fabs(z2) > 1e-13 * (k2 * (k + z1)))) {
-            return ball_on_table_refuse(fabs(z2), 1e-13 * (k2 * (k + z1)), BALL_ON_TABLE_SINGULAR_2);
+        /* the mass matrix is singular, if s_theta is nearly 0 */
+        if (!(fabs(s_theta) > 1e-07 * 4.0)) {
+            return ball_on_table_refuse(fabs(s_theta), 1e-07 * 4.0, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(8, dydt);
     }
@@ -342,7 +340,6 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
     return BALL_ON_TABLE_OK;
 }
 
-BALL_ON_TABLE_SLOW
 int ball_on_table_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     const double phi = y[2]; /* precession [rad] */
@@ -350,11 +347,11 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* sines and cosines */
-    const double z3 = t * nu;
+    const double z1 = t * nu;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s1 = sin(z3);
-    const double c1 = cos(z3);
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
 
@@ -371,55 +368,47 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* from the parameters alone */
-    const double k1 = m * a;
-    const double k2 = m * a * a;
-    const double k3 = k * k2;
-    const double k4 = 1.0 + k;
-    const double k5 = k2 * k4;
-    const double k6 = Omega1 * nu;
-    const double k7 = k1 / k5;
+    const double k1 = m * a * a;
+    const double k2 = 1.0 + k;
+    const double k3 = k1 * k2;
+    const double k4 = Omega1 * nu;
+    const double k5 = 1.0 / k2;
+    const double k6 = 1.0 / a;
+    const double k7 = 1.0 - k5;
+    const double k8 = a * k7;
 
     /* from the state */
-    const double z1 = k2 * (k + s_theta * s_theta);
-    const double z2 = z1 - c_theta * c_theta * k3;
     const double Omega = Omega0 + Omega1 * s1;
-    const double z4 = s_theta * s_phi;
-    const double z5 = c1 * k6;
-    const double z6 = phi_dot * c_phi;
-    const double z7 = Omega + phi_dot * k4;
-    const double z8 = Omega * Omega;
-    const double z9 = s_phi * z8 + c_phi * z5;
-    const double z10 = c_phi * z8 - s_phi * z5;
-    const double z11 = k7 * (a * (psi_dot * s_theta * z7) - (x * z9 - y_2 * z10));
-    const double z12 = phi_dot * s_phi;
-    const double z13 = theta_dot * c_theta;
-    const double z14 = c_phi * s_theta;
-    const double z15 = (x * z10 + y_2 * z9 - a * (theta_dot * (z7 - psi_dot * c_theta * k4))) * (k1 / z2);
-    const double z16 = s_theta * z15;
-    const double z17 = a * (theta_dot * z6 - s_phi * z11 + (psi_dot * (s_theta * z12 - c_phi * z13) + z14 *
-        z16));
-    const double z18 = a * (theta_dot * z12 + c_phi * z11 - (psi_dot * (s_phi * z13 + s_theta * z6) - z4 *
-        z16));
+    const double z2 = psi_dot * s_theta;
+    const double z3 = x * k7;
+    const double z4 = c1 * k4;
+    const double z5 = y_2 * k7;
+    const double z6 = 1.0 / s_theta;
+    const double z7 = Omega * Omega;
+    const double z8 = c_phi * z7 - s_phi * z4;
+    const double z9 = s_phi * z7 + c_phi * z4;
+    const double z10 = k5 * (theta_dot * Omega - k6 * (x * z8 + y_2 * z9));
     /* (III.3) */
-    qddot[0] = Omega * (a * (theta_dot * c_phi + psi_dot * z4) - x * Omega) - y_2 * z5 + z17; /* x'' */
-    qddot[1] = Omega * (a * (theta_dot * s_phi - psi_dot * z14) - y_2 * Omega) + x * z5 + z18; /* y'' */
-    qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z15); /* phi'' */
-    qddot[3] = -z11; /* theta'' */
-    qddot[4] = -z16; /* psi'' */
+    qddot[0] = Omega * ((theta_dot * c_phi + s_phi * z2) * k8 - Omega * z3) - z4 * z5; /* x'' */
+    qddot[1] = Omega * ((theta_dot * s_phi - c_phi * z2) * k8 - Omega * z5) + z4 * z3; /* y'' */
+    qddot[2] = z6 * (theta_dot * psi_dot - c_theta * (phi_dot * theta_dot + z10)); /* phi'' */
+    qddot[3] = -(k5 * (Omega * z2 - k6 * (x * z9 - y_2 * z8)) + phi_dot * z2); /* theta'' */
+    qddot[4] = z6 * (theta_dot * (phi_dot - psi_dot * c_theta) + z10); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
-    if (!(fabs(k) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) && fabs(z2) > 1e-13 * z1)) {
+    if (!(fabs(k * m) > 0.0 * (qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4])
+        && fabs(s_theta) > 1e-07 * 4.0)) {
+        /* the mass matrix is singular, if k * k1 is 0 */
+        if (!(fabs(k * k1) > 0.0)) {
+            return ball_on_table_refuse(fabs(k * k1), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        }
         /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, if k5 is 0 */
-        if (!(fabs(k5) > 0.0)) {
-            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
-        }
-        /* the mass matrix is singular, if z2 is nearly 0 */
-        if (!(fabs(z2) > 1e-13 * z1)) {
-            return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
+        /* the mass matrix is singular, if s_theta is nearly 0 */
+        if (!(fabs(s_theta) > 1e-07 * 4.0)) {
+            return ball_on_table_refuse(fabs(s_theta), 1e-07 * 4.0, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(5, qddot);
     }
@@ -492,7 +481,6 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
     return BALL_ON_TABLE_OK;
 }
 
-BALL_ON_TABLE_SLOW
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda)
 {
     const double phi = y[2]; /* precession [rad] */
@@ -500,18 +488,16 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* sines and cosines */
-    const double z3 = t * nu;
+    const double z1 = t * nu;
     const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    const double s1 = sin(z3);
-    const double c1 = cos(z3);
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
 
     /* what else is read */
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* y: centre [m] */
-    const double phi_dot = y[5]; /* phi' [rad/s] */
     const double theta_dot = y[6]; /* theta' [rad/s] */
     const double psi_dot = y[7]; /* psi' [rad/s] */
     const double m = p[0]; /* mass [kg] */
@@ -521,54 +507,39 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* from the parameters alone */
-    const double k1 = m * a;
-    const double k2 = m * a * a;
-    const double k3 = k * k2;
-    const double k4 = 1.0 + k;
-    const double k5 = k2 * k4;
-    const double k6 = Omega1 * nu;
-    const double k7 = k1 / k5;
+    const double k1 = m * a * a;
+    const double k2 = 1.0 + k;
+    const double k3 = k1 * k2;
+    const double k4 = Omega1 * nu;
+    const double k5 = 1.0 - 1.0 / k2;
+    const double k6 = a * k5;
 
     /* from the state */
-    const double z1 = k2 * (k + s_theta * s_theta);
-    const double z2 = z1 - c_theta * c_theta * k3;
     const double Omega = Omega0 + Omega1 * s1;
-    const double z4 = Omega * Omega;
-    const double z5 = c1 * k6;
-    const double z6 = psi_dot * c_theta;
-    const double z7 = phi_dot + Omega;
-    const double z8 = theta_dot * (z6 - z7);
-    const double z9 = psi_dot * s_theta;
-    const double z10 = z9 * z7;
-    const double z11 = Omega + phi_dot * k4;
-    const double z12 = s_phi * z4 + c_phi * z5;
-    const double z13 = c_phi * z4 - s_phi * z5;
-    const double z14 = k7 * (a * (z9 * z11) - (x * z12 - y_2 * z13));
-    const double z15 = c_phi * k1;
-    const double z16 = s_theta * k1;
-    const double z17 = (x * z13 + y_2 * z12 - a * (theta_dot * (z11 - z6 * k4))) * (z16 / z2);
-    const double z18 = m * (x * z4 + y_2 * z5 + a * (c_phi * z8 - s_phi * z10)) + (k1 * (s_phi * z14) - z15 *
-        (s_theta * z17));
-    const double z19 = m * (y_2 * z4 - x * z5 + a * (s_phi * z8 + c_phi * z10)) - (z14 * z15 + s_phi * z16 *
-        z17);
+    const double z2 = psi_dot * s_theta;
+    const double z3 = x * k5;
+    const double z4 = c1 * k4;
+    const double z5 = y_2 * k5;
     /* (I.4.1) 27:5 */
-    lambda[0] = -z18; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (Omega * ((theta_dot * c_phi + s_phi * z2) * k6 - Omega * z3) - z4 * z5);
     /* (I.4.1) 28:5 */
-    lambda[1] = -z19; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (Omega * ((theta_dot * s_phi - c_phi * z2) * k6 - Omega * z5) + z4 * z3);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
-    if (!(fabs(k) > 0.0 * (lambda[0] + lambda[1]) && fabs(z2) > 1e-13 * z1)) {
+    if (!(fabs(k * m * a) > 0.0 * (lambda[0] + lambda[1]) && fabs(s_theta) > 1e-07 * 4.0)) {
+        /* the mass matrix is singular, if k * k1 is 0 */
+        if (!(fabs(k * k1) > 0.0)) {
+            return ball_on_table_refuse(fabs(k * k1), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        }
         /* the mass matrix is singular, if k3 is 0 */
         if (!(fabs(k3) > 0.0)) {
             return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, if k5 is 0 */
-        if (!(fabs(k5) > 0.0)) {
-            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
-        }
-        /* the mass matrix is singular, if z2 is nearly 0 */
-        if (!(fabs(z2) > 1e-13 * z1)) {
-            return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
+        /* the mass matrix is singular, if s_theta is nearly 0 */
+        if (!(fabs(s_theta) > 1e-07 * 4.0)) {
+            return ball_on_table_refuse(fabs(s_theta), 1e-07 * 4.0, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(2, lambda);
     }
@@ -625,11 +596,11 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* sines and cosines */
-    const double z3 = t * nu;
+    const double z1 = t * nu;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s1 = sin(z3);
-    const double c1 = cos(z3);
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
     const double c_phi = cos(phi);
     const double s_phi = sin(phi);
 
@@ -646,109 +617,90 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* from the parameters alone */
-    const double k1 = a * a;
-    const double I = m * k * k1;
-    const double k2 = m * a;
-    const double k3 = m * k1;
-    const double k4 = k * k3;
-    const double k5 = 1.0 + k;
-    const double k6 = k3 * k5;
-    const double k7 = Omega1 * nu;
-    const double k8 = 1.0 / k4;
-    const double k9 = 1.0 / k6;
-    const double k10 = k2 * k9;
-    const double k11 = -k5 * k10;
+    const double k1 = m * a * a;
+    const double k2 = 1.0 + k;
+    const double k3 = k1 * k2;
+    const double k4 = Omega1 * nu;
+    const double k5 = 1.0 / k2;
+    const double k6 = 1.0 / a;
+    const double k7 = k5 * k6;
 
     /* from the state */
-    const double z1 = k3 * (k + s_theta * s_theta);
-    const double z2 = z1 - c_theta * c_theta * k4;
     const double Omega = Omega0 + Omega1 * s1;
-    const double z4 = s_theta * s_phi;
-    const double z5 = psi_dot * a;
-    const double z6 = c_theta * z5;
-    const double z7 = c_phi * s_theta;
-    const double z8 = Omega * Omega;
-    const double z9 = c1 * k7;
-    const double z10 = c_phi * z8 - s_phi * z9;
-    const double z11 = s_theta * k2;
-    const double z12 = 1.0 / z2;
-    const double z13 = z11 * z12;
-    const double z14 = z10 * z13;
-    const double z15 = s_phi * z8 + c_phi * z9;
-    const double z16 = z15 * z13;
-    const double z17 = y_2 * z11;
-    const double z18 = x * z11;
-    const double z19 = z12 * (c_phi * (z8 * z17 - z9 * z18) - s_phi * (z8 * z18 + z9 * z17));
-    const double z20 = theta_dot * psi_dot;
-    const double z21 = theta_dot * a;
-    const double z22 = Omega + phi_dot * k5;
-    const double z23 = psi_dot * c_theta;
-    const double z24 = x * z10 + y_2 * z15;
-    const double z25 = z21 * (z22 - z23 * k5) - z24;
-    const double z26 = z13 * z25;
-    const double z27 = s_theta * k4;
-    const double z28 = I * (c_theta * z20) + z26 * z27;
-    const double z29 = z21 * z11;
-    const double z30 = z23 - z22;
-    const double z31 = s_theta * (psi_dot * z29 + (z20 - k2 * (z25 * (c_theta * z12))) * z27) - c_theta * (k2
-        * (z24 + z21 * z30) + 2.0 * (k3 * (s_theta * z26)));
-    const double z32 = z12 * (z31 - c_theta * z28);
-    const double z33 = k5 * (z12 * z29);
-    const double z34 = c_theta * z33;
-    const double z35 = I * (psi_dot * s_theta);
-    const double z36 = z12 * (a * (z11 * z30) + c_theta * z35);
-    const double z37 = x * k2;
-    const double z38 = y_2 * k2;
-    const double z39 = k9 * (k2 * z22);
+    const double z2 = s_theta * s_phi;
+    const double z3 = psi_dot * c_theta;
+    const double z4 = a * c_phi;
+    const double z5 = a * s_phi;
+    const double z6 = c_phi * s_theta;
+    const double z7 = 1.0 / s_theta;
+    const double z8 = c_theta * z7;
+    const double z9 = Omega * Omega;
+    const double z10 = c1 * k4;
+    const double z11 = c_phi * z9 - s_phi * z10;
+    const double z12 = z11 * k7;
+    const double z13 = s_phi * z9 + c_phi * z10;
+    const double z14 = z13 * k7;
+    const double z15 = (x * z13 - y_2 * z11) * k7;
+    const double z16 = k6 * (x * z11 + y_2 * z13);
+    const double z17 = k5 * (theta_dot * Omega - z16);
+    const double z18 = phi_dot * theta_dot + z17;
+    const double z19 = theta_dot * psi_dot;
+    const double z20 = c_theta * (z7 * z7);
+    const double z21 = theta_dot * z8;
+    const double z22 = Omega * k5;
+    const double z23 = phi_dot + z22;
+    const double z24 = theta_dot * z7;
+    const double z25 = phi_dot - z3;
     /* (III.3) */
     J[1] = -Omega;
-    J[2] = a * (theta_dot * c_phi + psi_dot * z4);
-    J[3] = -c_phi * z6;
-    J[6] = a * s_phi;
-    J[7] = -a * z7;
+    J[2] = a * (theta_dot * c_phi + psi_dot * z2);
+    J[3] = -z3 * z4;
+    J[6] = z5;
+    J[7] = -a * z6;
     J[8] = Omega;
-    J[10] = a * (theta_dot * s_phi - psi_dot * z7);
-    J[11] = -s_phi * z6;
-    J[14] = -a * c_phi;
-    J[15] = -a * z4;
+    J[10] = a * (theta_dot * s_phi - psi_dot * z6);
+    J[11] = -z3 * z5;
+    J[14] = -z4;
+    J[15] = -a * z2;
     J[21] = 1.0;
     J[30] = 1.0;
     J[39] = 1.0;
-    J[40] = c_theta * z14;
-    J[41] = c_theta * z16;
-    J[42] = c_theta * z19;
-    J[43] = k8 * z28 - c_theta * z32;
-    J[45] = -z34;
-    J[46] = k8 * z35 + c_theta * z36;
-    J[47] = z33;
-    J[48] = k10 * z15;
-    J[49] = -k10 * z10;
-    J[50] = k9 * (c_phi * (z8 * z37 + z9 * z38) + s_phi * (z8 * z38 - z9 * z37));
-    J[51] = -z39 * z6;
-    J[53] = s_theta * z5 * k11;
-    J[55] = -a * (s_theta * z39);
-    J[56] = -z14;
-    J[57] = -z16;
-    J[58] = -z19;
-    J[59] = z32;
-    J[61] = z33;
-    J[62] = -z36;
-    J[63] = -z34;
+    J[40] = z8 * z12;
+    J[41] = z8 * z14;
+    J[42] = -z8 * z15;
+    J[43] = z18 - (z19 - c_theta * z18) * z20;
+    J[45] = -z21;
+    J[46] = z7 * (psi_dot - c_theta * z23);
+    J[47] = z24;
+    J[48] = z14;
+    J[49] = -z12;
+    J[50] = k5 * z16;
+    J[51] = -z3 * z23;
+    J[53] = -psi_dot * s_theta;
+    J[55] = -s_theta * z23;
+    J[56] = -z7 * z12;
+    J[57] = -z7 * z14;
+    J[58] = z7 * z15;
+    J[59] = z19 - (theta_dot * z25 + z17) * z20;
+    J[61] = z24;
+    J[62] = z7 * (z25 + z22);
+    J[63] = -z21;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[7] + J[10] + J[15] + J[43] + J[46] + J[48] + J[49] + J[50] + J[51] + J[53] + J[55] +
-        J[56] + J[57] + J[58] + J[62] + J[63]) <= DBL_MAX
-        && fabs(z2) > 1e-13 * z1)) {
-        /* the mass matrix is singular, if k4 is 0 */
-        if (!(fabs(k4) > 0.0)) {
-            return ball_on_table_refuse(fabs(k4), 0.0, BALL_ON_TABLE_SINGULAR_2);
+    /* (times 0 it is NaN then, and the comparison fails) */
+    if (!(fabs(k * m) > 0.0 * (J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] +
+        J[46] + J[47] + J[50] + J[51] + J[55] + J[56] + J[57] + J[58] + J[59] + J[62] + J[63])
+        && fabs(s_theta) > 1e-07 * 4.0)) {
+        /* the mass matrix is singular, if k * k1 is 0 */
+        if (!(fabs(k * k1) > 0.0)) {
+            return ball_on_table_refuse(fabs(k * k1), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, if k6 is 0 */
-        if (!(fabs(k6) > 0.0)) {
-            return ball_on_table_refuse(fabs(k6), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        /* the mass matrix is singular, if k3 is 0 */
+        if (!(fabs(k3) > 0.0)) {
+            return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
-        /* the mass matrix is singular, if z2 is nearly 0 */
-        if (!(fabs(z2) > 1e-13 * z1)) {
-            return ball_on_table_refuse(fabs(z2), 1e-13 * z1, BALL_ON_TABLE_SINGULAR_2);
+        /* the mass matrix is singular, if s_theta is nearly 0 */
+        if (!(fabs(s_theta) > 1e-07 * 4.0)) {
+            return ball_on_table_refuse(fabs(s_theta), 1e-07 * 4.0, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(64, J);
     }
@@ -807,16 +759,12 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     ball_on_table_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     ball_on_table_bits bad = {0}; /* singular blocks */
     const double a = fixed[0];
-    const double k = fixed[1];
-    const double Omega0 = fixed[2];
-    const double Omega1 = fixed[3];
-    const double nu = fixed[4];
-    const double k1 = fixed[5];
-    const double k2 = fixed[6];
-    const double k3 = fixed[7];
-    const double k4 = fixed[8];
-    const double k5 = fixed[9];
-    const double k6 = fixed[10];
+    const double Omega0 = fixed[1];
+    const double Omega1 = fixed[2];
+    const double nu = fixed[3];
+    const double k4 = fixed[4];
+    const double k5 = fixed[5];
+    const double k6 = fixed[6];
     const ball_on_table_lanes t_ = ball_on_table_get(t);
     const ball_on_table_lanes x = ball_on_table_get(y);
     const ball_on_table_lanes y_2 = ball_on_table_get(y + 1 * stride);
@@ -828,34 +776,32 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     ball_on_table_lanes sine1, cosine1;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(theta), &far, &sine1, &cosine1);
     const ball_on_table_lanes s_theta = sine1;
-    const ball_on_table_lanes z1 = s_theta * s_theta;
-    const ball_on_table_lanes z2 = z1 * k5;
-    /* the mass matrix is singular, if z2 is nearly 0 */
-    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-13 * (k2 * (k + z1)));
-    const ball_on_table_lanes z3 = t_ * nu;
+    /* the mass matrix is singular, if s_theta is nearly 0 */
+    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(s_theta)), BALL_ON_TABLE_SPREAD(1e-07
+        * 4.0));
+    const ball_on_table_lanes z1 = t_ * nu;
     ball_on_table_lanes sine2, cosine2;
-    ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(z3), &far, &sine2, &cosine2);
+    ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(z1), &far, &sine2, &cosine2);
     const ball_on_table_lanes s1 = sine2;
     const ball_on_table_lanes Omega = Omega0 + Omega1 * s1;
     ball_on_table_lanes sine3, cosine3;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(phi), &far, &sine3, &cosine3);
     const ball_on_table_lanes s_phi = sine3;
     const ball_on_table_lanes c_phi = cosine3;
-    const ball_on_table_lanes z4 = psi_dot * s_theta;
+    const ball_on_table_lanes z2 = psi_dot * s_theta;
+    const ball_on_table_lanes z3 = 1.0 / s_theta;
     const ball_on_table_lanes c_theta = cosine1;
-    const ball_on_table_lanes z5 = Omega * Omega;
+    const ball_on_table_lanes z4 = Omega * Omega;
     const ball_on_table_lanes c1 = cosine2;
-    const ball_on_table_lanes z6 = c1 * k4;
-    const ball_on_table_lanes z7 = c_phi * z5 - s_phi * z6;
-    const ball_on_table_lanes z8 = s_phi * z5 + c_phi * z6;
-    const ball_on_table_lanes z9 = Omega + phi_dot * k3;
-    const ball_on_table_lanes z10 = k1 * (x * z7 + y_2 * z8 - a * (theta_dot * (z9 - psi_dot * c_theta *
-        k3))) / z2;
+    const ball_on_table_lanes z5 = c1 * k4;
+    const ball_on_table_lanes z6 = c_phi * z4 - s_phi * z5;
+    const ball_on_table_lanes z7 = s_phi * z4 + c_phi * z5;
+    const ball_on_table_lanes z8 = k5 * (theta_dot * Omega - k6 * (x * z6 + y_2 * z7));
     /* (I.1.2) */
-    const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z4) - y_2 * Omega;
+    const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z2) - y_2 * Omega;
     sum += slope1;
     ball_on_table_put(dydt, slope1);
-    const ball_on_table_lanes slope2 = x * Omega - a * (theta_dot * c_phi + s_phi * z4);
+    const ball_on_table_lanes slope2 = x * Omega - a * (theta_dot * c_phi + s_phi * z2);
     sum += slope2;
     ball_on_table_put(dydt + 1 * stride, slope2);
     const ball_on_table_lanes slope3 = phi_dot;
@@ -865,13 +811,13 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes slope5 = psi_dot;
     ball_on_table_put(dydt + 4 * stride, slope5);
     /* (III.3) 25:4 */
-    const ball_on_table_lanes slope6 = s_theta * (theta_dot * psi_dot + c_theta * z10);
+    const ball_on_table_lanes slope6 = z3 * (theta_dot * psi_dot - c_theta * (phi_dot * theta_dot + z8));
     sum += slope6;
     ball_on_table_put(dydt + 5 * stride, slope6);
-    const ball_on_table_lanes slope7 = (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6;
+    const ball_on_table_lanes slope7 = -(k5 * (Omega * z2 - k6 * (x * z7 - y_2 * z6)) + phi_dot * z2);
     sum += slope7;
     ball_on_table_put(dydt + 6 * stride, slope7);
-    const ball_on_table_lanes slope8 = -s_theta * z10;
+    const ball_on_table_lanes slope8 = z3 * (theta_dot * (phi_dot - psi_dot * c_theta) + z8);
     sum += slope8;
     ball_on_table_put(dydt + 7 * stride, slope8);
     ball_on_table_put(check, ball_on_table_mark(far + (sum - sum), bad));
@@ -899,17 +845,21 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
-    const double k1 = m * a;
-    const double k2 = a * k1;
-    const double k3 = 1.0 + k;
+    const double k1 = m * a * a;
+    const double k2 = 1.0 + k;
+    const double k3 = k1 * k2;
     const double k4 = Omega1 * nu;
-    const double k5 = k2 * k3;
-    const double k6 = -k1 / k5;
-    /* the mass matrix is singular, if k * k2 is 0 */
-    if (!(fabs(k * k2) > 0.0)) {
-        return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
+    const double k5 = 1.0 / k2;
+    const double k6 = 1.0 / a;
+    /* the mass matrix is singular, if k * k1 is 0 */
+    if (!(fabs(k * k1) > 0.0)) {
+        return ball_on_table_refuse(fabs(k * k1), 0.0, BALL_ON_TABLE_SINGULAR_2);
     }
-    const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k5, k6};
+    /* the mass matrix is singular, if k3 is 0 */
+    if (!(fabs(k3) > 0.0)) {
+        return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
+    }
+    const double fixed[] = {a, Omega0, Omega1, nu, k4, k5, k6};
     double check[1 * BALL_ON_TABLE_LANES];
     int status = BALL_ON_TABLE_OK;
     for (size_t i = 0; i < count; i += BALL_ON_TABLE_LANES) {

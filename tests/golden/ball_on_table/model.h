@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:ed4288e4600ba81a)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:1f32d4015d560841)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Equations of motion: chaplygin (III.3)
@@ -38,14 +38,14 @@
  * out[1] = moving_energy [J]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 16 +-, 42 *, 2 /, 6 calls
+ * rhs: 17 +-, 40 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 0 /, 4 calls
- * accelerations: 29 +-, 67 *, 2 /, 6 calls
+ * accelerations: 20 +-, 47 *, 3 /, 6 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
- * reactions: 24 +-, 55 *, 2 /, 6 calls
+ * reactions: 9 +-, 26 *, 1 /, 5 calls
  * energy: 10 +-, 23 *, 0 /, 5 calls
- * jacobian: 29 +-, 113 *, 3 /, 6 calls
+ * jacobian: 18 +-, 64 *, 3 /, 6 calls
  * outputs: 11 +-, 23 *, 0 /, 3 calls
  *
  * Calls: t is the time; y has BALL_ON_TABLE_NY entries, p has BALL_ON_TABLE_NP;

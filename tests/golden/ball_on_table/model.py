@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:32f296e355220656).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:bac903fe9a622cdd).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -39,14 +39,14 @@ out[0] = spin [rad/s]
 out[1] = moving_energy [J]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 16 +-, 42 *, 2 /, 6 calls
+rhs: 17 +-, 40 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 0 /, 4 calls
-accelerations: 29 +-, 67 *, 2 /, 6 calls
+accelerations: 20 +-, 47 *, 3 /, 6 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
-reactions: 24 +-, 55 *, 2 /, 6 calls
+reactions: 9 +-, 26 *, 1 /, 5 calls
 energy: 10 +-, 23 *, 0 /, 5 calls
-jacobian: 29 +-, 113 *, 3 /, 6 calls
+jacobian: 18 +-, 64 *, 3 /, 6 calls
 outputs: 11 +-, 23 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
@@ -133,45 +133,43 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # from the parameters alone
-        k1 = m * a
-        k2 = a * k1
-        # the mass matrix is singular, if k * k2 is 0
-        if not abs(k * k2) > 0.0:
-            raise _refuse(abs(k * k2), 0.0, 2, "rhs")
-        k3 = 1.0 + k
+        k1 = m * a * a
+        # the mass matrix is singular, if k * k1 is 0
+        if not abs(k * k1) > 0.0:
+            raise _refuse(abs(k * k1), 0.0, 2, "rhs")
+        k2 = 1.0 + k
+        k3 = k1 * k2
+        # the mass matrix is singular, if k3 is 0
+        if not abs(k3) > 0.0:
+            raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = Omega1 * nu
-        k5 = k2 * k3
-        # the mass matrix is singular, if k5 is 0
-        if not abs(k5) > 0.0:
-            raise _refuse(abs(k5), 0.0, 2, "rhs")
-        k6 = -k1 / k5
+        k5 = 1.0 / k2
+        k6 = 1.0 / a
         # from the state
         s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = z1 * k5
-        # the mass matrix is singular, if z2 is nearly 0
-        if not abs(z2) > 1e-13 * (k2 * (k + z1)):
-            raise _refuse(abs(z2), 1e-13 * (k2 * (k + z1)), 2, "rhs")
-        z3 = t_ * nu
-        s1 = math.sin(z3)
+        # the mass matrix is singular, if s_theta is nearly 0
+        if not abs(s_theta) > 1e-07 * 4.0:
+            raise _refuse(abs(s_theta), 1e-07 * 4.0, 2, "rhs")
+        z1 = t_ * nu
+        s1 = math.sin(z1)
         Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
-        z4 = psi_dot * s_theta
+        z2 = psi_dot * s_theta
+        z3 = 1.0 / s_theta
         c_theta = math.cos(theta)
-        z5 = Omega * Omega
-        c1 = math.cos(z3)
-        z6 = c1 * k4
-        z7 = c_phi * z5 - s_phi * z6
-        z8 = s_phi * z5 + c_phi * z6
-        z9 = Omega + phi_dot * k3
-        s2 = a * (theta_dot * (z9 - psi_dot * c_theta * k3))
-        z10 = k1 * (x * z7 + y_2 * z8 - s2) / z2
+        z4 = Omega * Omega
+        c1 = math.cos(z1)
+        z5 = c1 * k4
+        z6 = c_phi * z4 - s_phi * z5
+        z7 = s_phi * z4 + c_phi * z5
+        z8 = k5 * (theta_dot * Omega - k6 * (x * z6 + y_2 * z7))
+        s2 = theta_dot * psi_dot - c_theta * (phi_dot * theta_dot + z8)
         dydt: list[float] = [
             # x' (I.1.2)
-            a * (theta_dot * s_phi - c_phi * z4) - y_2 * Omega,
+            a * (theta_dot * s_phi - c_phi * z2) - y_2 * Omega,
             # y' (I.1.2)
-            x * Omega - a * (theta_dot * c_phi + s_phi * z4),
+            x * Omega - a * (theta_dot * c_phi + s_phi * z2),
             # phi' (I.1.2)
             phi_dot,
             # theta' (I.1.2)
@@ -179,11 +177,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (I.1.2)
             psi_dot,
             # phi'' (III.3) 25:4
-            s_theta * (theta_dot * psi_dot + c_theta * z10),
+            z3 * s2,
             # theta'' (III.3) 25:4
-            (a * (z4 * z9) - (x * z8 - y_2 * z7)) * k6,
+            -(k5 * (Omega * z2 - k6 * (x * z7 - y_2 * z6)) + phi_dot * z2),
             # psi'' (III.3) 25:4
-            -s_theta * z10,
+            z3 * (theta_dot * (phi_dot - psi_dot * c_theta) + z8),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -263,64 +261,55 @@ def accelerations(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # from the parameters alone
-        k1 = m * a
-        k2 = m * a * a
-        k3 = k * k2
+        k1 = m * a * a
+        # the mass matrix is singular, if k * k1 is 0
+        if not abs(k * k1) > 0.0:
+            raise _refuse(abs(k * k1), 0.0, 2, "accelerations")
+        k2 = 1.0 + k
+        k3 = k1 * k2
         # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "accelerations")
-        k4 = 1.0 + k
-        k5 = k2 * k4
-        # the mass matrix is singular, if k5 is 0
-        if not abs(k5) > 0.0:
-            raise _refuse(abs(k5), 0.0, 2, "accelerations")
-        k6 = Omega1 * nu
-        k7 = k1 / k5
+        k4 = Omega1 * nu
+        k5 = 1.0 / k2
+        k6 = 1.0 / a
+        k7 = 1.0 - k5
+        k8 = a * k7
         # from the state
         s_theta = math.sin(theta)
-        z1 = k2 * (k + s_theta * s_theta)
-        c_theta = math.cos(theta)
-        z2 = z1 - c_theta * c_theta * k3
-        # the mass matrix is singular, if z2 is nearly 0
-        if not abs(z2) > 1e-13 * z1:
-            raise _refuse(abs(z2), 1e-13 * z1, 2, "accelerations")
-        z3 = t_ * nu
-        s1 = math.sin(z3)
+        # the mass matrix is singular, if s_theta is nearly 0
+        if not abs(s_theta) > 1e-07 * 4.0:
+            raise _refuse(abs(s_theta), 1e-07 * 4.0, 2, "accelerations")
+        z1 = t_ * nu
+        s1 = math.sin(z1)
         Omega = Omega0 + Omega1 * s1
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
-        z4 = s_theta * s_phi
-        c1 = math.cos(z3)
-        z5 = c1 * k6
-        z6 = phi_dot * c_phi
-        z7 = Omega + phi_dot * k4
-        z8 = Omega * Omega
-        z9 = s_phi * z8 + c_phi * z5
-        z10 = c_phi * z8 - s_phi * z5
-        z11 = k7 * (a * (psi_dot * s_theta * z7) - (x * z9 - y_2 * z10))
-        z12 = phi_dot * s_phi
-        z13 = theta_dot * c_theta
-        z14 = c_phi * s_theta
-        s2 = a * (theta_dot * (z7 - psi_dot * c_theta * k4))
-        z15 = (x * z10 + y_2 * z9 - s2) * (k1 / z2)
-        z16 = s_theta * z15
-        s3 = psi_dot * (s_theta * z12 - c_phi * z13) + z14 * z16
-        z17 = a * (theta_dot * z6 - s_phi * z11 + s3)
-        s4 = psi_dot * (s_phi * z13 + s_theta * z6) - z4 * z16
-        z18 = a * (theta_dot * z12 + c_phi * z11 - s4)
-        s5 = Omega * (a * (theta_dot * c_phi + psi_dot * z4) - x * Omega)
-        s6 = a * (theta_dot * s_phi - psi_dot * z14) - y_2 * Omega
+        z2 = psi_dot * s_theta
+        z3 = x * k7
+        c1 = math.cos(z1)
+        z4 = c1 * k4
+        z5 = y_2 * k7
+        z6 = 1.0 / s_theta
+        c_theta = math.cos(theta)
+        z7 = Omega * Omega
+        z8 = c_phi * z7 - s_phi * z4
+        z9 = s_phi * z7 + c_phi * z4
+        z10 = k5 * (theta_dot * Omega - k6 * (x * z8 + y_2 * z9))
+        s2 = Omega * ((theta_dot * c_phi + s_phi * z2) * k8 - Omega * z3)
+        s3 = Omega * ((theta_dot * s_phi - c_phi * z2) * k8 - Omega * z5)
+        s4 = theta_dot * psi_dot - c_theta * (phi_dot * theta_dot + z10)
         qddot: list[float] = [
             # x'' (III.3)
-            s5 - y_2 * z5 + z17,
+            s2 - z4 * z5,
             # y'' (III.3)
-            Omega * s6 + x * z5 + z18,
+            s3 + z4 * z3,
             # phi'' (III.3)
-            s_theta * (theta_dot * psi_dot + c_theta * z15),
+            z6 * s4,
             # theta'' (III.3)
-            -z11,
+            -(k5 * (Omega * z2 - k6 * (x * z9 - y_2 * z8)) + phi_dot * z2),
             # psi'' (III.3)
-            -z16,
+            z6 * (theta_dot * (phi_dot - psi_dot * c_theta) + z10),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -413,7 +402,6 @@ def reactions(
     y_2 = float(y[1])  # y: centre [m]
     phi = float(y[2])  # precession [rad]
     theta = float(y[3])  # nutation [rad]
-    phi_dot = float(y[5])  # phi' [rad/s]
     theta_dot = float(y[6])  # theta' [rad/s]
     psi_dot = float(y[7])  # psi' [rad/s]
     m = float(p[0])  # mass [kg]
@@ -424,57 +412,40 @@ def reactions(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # from the parameters alone
-        k1 = m * a
-        k2 = m * a * a
-        k3 = k * k2
+        k1 = m * a * a
+        # the mass matrix is singular, if k * k1 is 0
+        if not abs(k * k1) > 0.0:
+            raise _refuse(abs(k * k1), 0.0, 2, "reactions")
+        k2 = 1.0 + k
+        k3 = k1 * k2
         # the mass matrix is singular, if k3 is 0
         if not abs(k3) > 0.0:
             raise _refuse(abs(k3), 0.0, 2, "reactions")
-        k4 = 1.0 + k
-        k5 = k2 * k4
-        # the mass matrix is singular, if k5 is 0
-        if not abs(k5) > 0.0:
-            raise _refuse(abs(k5), 0.0, 2, "reactions")
-        k6 = Omega1 * nu
-        k7 = k1 / k5
+        k4 = Omega1 * nu
+        k5 = 1.0 - 1.0 / k2
+        k6 = a * k5
         # from the state
         s_theta = math.sin(theta)
-        z1 = k2 * (k + s_theta * s_theta)
-        c_theta = math.cos(theta)
-        z2 = z1 - c_theta * c_theta * k3
-        # the mass matrix is singular, if z2 is nearly 0
-        if not abs(z2) > 1e-13 * z1:
-            raise _refuse(abs(z2), 1e-13 * z1, 2, "reactions")
-        z3 = t_ * nu
-        s1 = math.sin(z3)
+        # the mass matrix is singular, if s_theta is nearly 0
+        if not abs(s_theta) > 1e-07 * 4.0:
+            raise _refuse(abs(s_theta), 1e-07 * 4.0, 2, "reactions")
+        z1 = t_ * nu
+        s1 = math.sin(z1)
         Omega = Omega0 + Omega1 * s1
-        z4 = Omega * Omega
-        c1 = math.cos(z3)
-        z5 = c1 * k6
         c_phi = math.cos(phi)
-        z6 = psi_dot * c_theta
-        z7 = phi_dot + Omega
-        z8 = theta_dot * (z6 - z7)
         s_phi = math.sin(phi)
-        z9 = psi_dot * s_theta
-        z10 = z9 * z7
-        z11 = Omega + phi_dot * k4
-        z12 = s_phi * z4 + c_phi * z5
-        z13 = c_phi * z4 - s_phi * z5
-        z14 = k7 * (a * (z9 * z11) - (x * z12 - y_2 * z13))
-        z15 = c_phi * k1
-        z16 = s_theta * k1
-        s2 = x * z13 + y_2 * z12 - a * (theta_dot * (z11 - z6 * k4))
-        z17 = s2 * (z16 / z2)
-        s3 = m * (x * z4 + y_2 * z5 + a * (c_phi * z8 - s_phi * z10))
-        z18 = s3 + (k1 * (s_phi * z14) - z15 * (s_theta * z17))
-        s4 = m * (y_2 * z4 - x * z5 + a * (s_phi * z8 + c_phi * z10))
-        z19 = s4 - (z14 * z15 + s_phi * z16 * z17)
+        z2 = psi_dot * s_theta
+        z3 = x * k5
+        c1 = math.cos(z1)
+        z4 = c1 * k4
+        z5 = y_2 * k5
+        s2 = Omega * ((theta_dot * c_phi + s_phi * z2) * k6 - Omega * z3)
+        s3 = Omega * ((theta_dot * s_phi - c_phi * z2) * k6 - Omega * z5)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            -z18,
+            m * (s2 - z4 * z5),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            -z19,
+            m * (s3 + z4 * z3),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -551,115 +522,82 @@ def jacobian(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # from the parameters alone
-        k1 = a * a
-        I = m * k * k1
-        k2 = m * a
-        k3 = m * k1
-        k4 = k * k3
-        # the mass matrix is singular, if k4 is 0
-        if not abs(k4) > 0.0:
-            raise _refuse(abs(k4), 0.0, 2, "jacobian")
-        k5 = 1.0 + k
-        k6 = k3 * k5
-        # the mass matrix is singular, if k6 is 0
-        if not abs(k6) > 0.0:
-            raise _refuse(abs(k6), 0.0, 2, "jacobian")
-        k7 = Omega1 * nu
-        k8 = 1.0 / k4
-        k9 = 1.0 / k6
-        k10 = k2 * k9
-        k11 = -k5 * k10
+        k1 = m * a * a
+        # the mass matrix is singular, if k * k1 is 0
+        if not abs(k * k1) > 0.0:
+            raise _refuse(abs(k * k1), 0.0, 2, "jacobian")
+        k2 = 1.0 + k
+        k3 = k1 * k2
+        # the mass matrix is singular, if k3 is 0
+        if not abs(k3) > 0.0:
+            raise _refuse(abs(k3), 0.0, 2, "jacobian")
+        k4 = Omega1 * nu
+        k5 = 1.0 / k2
+        k6 = 1.0 / a
+        k7 = k5 * k6
         # from the state
         s_theta = math.sin(theta)
-        z1 = k3 * (k + s_theta * s_theta)
-        c_theta = math.cos(theta)
-        z2 = z1 - c_theta * c_theta * k4
-        # the mass matrix is singular, if z2 is nearly 0
-        if not abs(z2) > 1e-13 * z1:
-            raise _refuse(abs(z2), 1e-13 * z1, 2, "jacobian")
-        z3 = t_ * nu
-        s1 = math.sin(z3)
+        # the mass matrix is singular, if s_theta is nearly 0
+        if not abs(s_theta) > 1e-07 * 4.0:
+            raise _refuse(abs(s_theta), 1e-07 * 4.0, 2, "jacobian")
+        z1 = t_ * nu
+        s1 = math.sin(z1)
         Omega = Omega0 + Omega1 * s1
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
-        z4 = s_theta * s_phi
-        z5 = psi_dot * a
-        z6 = c_theta * z5
-        z7 = c_phi * s_theta
-        z8 = Omega * Omega
-        c1 = math.cos(z3)
-        z9 = c1 * k7
-        z10 = c_phi * z8 - s_phi * z9
-        z11 = s_theta * k2
-        z12 = 1.0 / z2
-        z13 = z11 * z12
-        z14 = z10 * z13
-        z15 = s_phi * z8 + c_phi * z9
-        z16 = z15 * z13
-        z17 = y_2 * z11
-        z18 = x * z11
-        s2 = c_phi * (z8 * z17 - z9 * z18)
-        z19 = z12 * (s2 - s_phi * (z8 * z18 + z9 * z17))
-        z20 = theta_dot * psi_dot
-        z21 = theta_dot * a
-        z22 = Omega + phi_dot * k5
-        z23 = psi_dot * c_theta
-        z24 = x * z10 + y_2 * z15
-        z25 = z21 * (z22 - z23 * k5) - z24
-        z26 = z13 * z25
-        z27 = s_theta * k4
-        z28 = I * (c_theta * z20) + z26 * z27
-        z29 = z21 * z11
-        z30 = z23 - z22
-        s3 = psi_dot * z29 + (z20 - k2 * (z25 * (c_theta * z12))) * z27
-        s4 = k2 * (z24 + z21 * z30) + 2.0 * (k3 * (s_theta * z26))
-        z31 = s_theta * s3 - c_theta * s4
-        z32 = z12 * (z31 - c_theta * z28)
-        z33 = k5 * (z12 * z29)
-        z34 = c_theta * z33
-        z35 = I * (psi_dot * s_theta)
-        z36 = z12 * (a * (z11 * z30) + c_theta * z35)
-        z37 = x * k2
-        z38 = y_2 * k2
-        z39 = k9 * (k2 * z22)
-        s5 = c_phi * (z8 * z37 + z9 * z38)
+        z2 = s_theta * s_phi
+        c_theta = math.cos(theta)
+        z3 = psi_dot * c_theta
+        z4 = a * c_phi
+        z5 = a * s_phi
+        z6 = c_phi * s_theta
+        z7 = 1.0 / s_theta
+        z8 = c_theta * z7
+        z9 = Omega * Omega
+        c1 = math.cos(z1)
+        z10 = c1 * k4
+        z11 = c_phi * z9 - s_phi * z10
+        z12 = z11 * k7
+        z13 = s_phi * z9 + c_phi * z10
+        z14 = z13 * k7
+        z15 = (x * z13 - y_2 * z11) * k7
+        z16 = k6 * (x * z11 + y_2 * z13)
+        z17 = k5 * (theta_dot * Omega - z16)
+        z18 = phi_dot * theta_dot + z17
+        z19 = theta_dot * psi_dot
+        z20 = c_theta * (z7 * z7)
+        z21 = theta_dot * z8
+        z22 = Omega * k5
+        z23 = phi_dot + z22
+        z24 = theta_dot * z7
+        z25 = phi_dot - z3
         J: list[float] = [
             0.0,
             # (III.3)
             -Omega,
             # (III.3)
-            a * (theta_dot * c_phi + psi_dot * z4),
+            a * (theta_dot * c_phi + psi_dot * z2),
             # (III.3)
-            -c_phi * z6,
+            -z3 * z4,
             0.0,
             0.0,
             # (III.3)
-            a * s_phi,
+            z5,
             # (III.3)
-            -a * z7,
+            -a * z6,
             # (III.3)
             Omega,
             0.0,
             # (III.3)
-            a * (theta_dot * s_phi - psi_dot * z7),
+            a * (theta_dot * s_phi - psi_dot * z6),
             # (III.3)
-            -s_phi * z6,
-            0.0,
-            0.0,
-            # (III.3)
-            -a * c_phi,
-            # (III.3)
-            -a * z4,
-            0.0,
-            0.0,
-            0.0,
+            -z3 * z5,
             0.0,
             0.0,
             # (III.3)
-            1.0,
-            0.0,
-            0.0,
-            0.0,
+            -z4,
+            # (III.3)
+            -a * z2,
             0.0,
             0.0,
             0.0,
@@ -677,53 +615,63 @@ def jacobian(
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
-            c_theta * z14,
-            # (III.3)
-            c_theta * z16,
-            # (III.3)
-            c_theta * z19,
-            # (III.3)
-            k8 * z28 - c_theta * z32,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -z34,
+            1.0,
             # (III.3)
-            k8 * z35 + c_theta * z36,
+            z8 * z12,
             # (III.3)
-            z33,
+            z8 * z14,
             # (III.3)
-            k10 * z15,
+            -z8 * z15,
             # (III.3)
-            -k10 * z10,
-            # (III.3)
-            k9 * (s5 + s_phi * (z8 * z38 - z9 * z37)),
-            # (III.3)
-            -z39 * z6,
+            z18 - (z19 - c_theta * z18) * z20,
             0.0,
             # (III.3)
-            s_theta * z5 * k11,
+            -z21,
+            # (III.3)
+            z7 * (psi_dot - c_theta * z23),
+            # (III.3)
+            z24,
+            # (III.3)
+            z14,
+            # (III.3)
+            -z12,
+            # (III.3)
+            k5 * z16,
+            # (III.3)
+            -z3 * z23,
             0.0,
             # (III.3)
-            -a * (s_theta * z39),
-            # (III.3)
-            -z14,
-            # (III.3)
-            -z16,
-            # (III.3)
-            -z19,
-            # (III.3)
-            z32,
+            -psi_dot * s_theta,
             0.0,
             # (III.3)
-            z33,
+            -s_theta * z23,
             # (III.3)
-            -z36,
+            -z7 * z12,
             # (III.3)
-            -z34,
+            -z7 * z14,
+            # (III.3)
+            z7 * z15,
+            # (III.3)
+            z19 - (theta_dot * z25 + z17) * z20,
+            0.0,
+            # (III.3)
+            z24,
+            # (III.3)
+            z7 * (z25 + z22),
+            # (III.3)
+            -z21,
         ]
         _finish("jacobian", J)
-        return [J[k12 : k12 + 8] for k12 in range(0, 64, 8)]
+        return [J[k8 : k8 + 8] for k8 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:bd62f39e7a37f008)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:b6cbb95bad9355f3)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -430,7 +430,7 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     const double z1 = I13 * w1 + I23 * w2;
     /* (I.4.1) 22:5 */
     /* reaction of no_spin: Q_i gains lambda_1 a_1i */
-    lambda[0] = -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3));
+    lambda[0] = -(w1 * w2 * k1 + (w2 * z1 * k2 - w1 * z1 * k3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the mass matrix is singular, or the velocities that are kept do not suffice, if I11 is 0 */

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:74e586ea04c1e3fc).
+"""suslov, emitted by nhc 0.1.0 (nhc:668069c421086a16).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Equations of motion: euler-lagrange (I.2.15)
@@ -349,7 +349,7 @@ def reactions(
         z1 = I13 * w1 + I23 * w2
         lambda_: list[float] = [
             # reaction of no_spin: Q_i gains lambda_1 a_1i (I.4.1) 22:5
-            -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3)),
+            -(w1 * w2 * k1 + (w2 * z1 * k2 - w1 * z1 * k3)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,0 +1,171 @@
+"""One kinetic energy in the ways in which people and programs write it: the same rates, in about as many operations."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+
+import pytest
+import sympy
+from sympy.simplify.fu import TR8
+
+from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.polynomial import to_node
+from nhc.emit import EmitOptions, render
+from nhc.mechanics.energies.angles import are_products, take_apart
+from nhc.mechanics.energies.arms import linear_root
+from nhc.mechanics.energies.entries import Quadratic
+from nhc.mechanics.energies.kinetic import energy_as_squares
+from tests.numeric.test_squares import arm, operations, program_of, rewritten, system_of
+from tests.support import python_model
+
+SYSTEMS = {
+    # the cart's place is the last term of its pendulums' places
+    "cart": """
+coordinates: [x, a, b]
+parameters: {M: 1.3, m: 0.7, n: 0.4, l: 0.6, r: 0.5, g: 9.81}
+define: {ax: l*sin(a) + x, ay: -l*cos(a), bx: l*sin(a) + r*sin(b) + x, by: -l*cos(a) - r*cos(b)}
+T: M/2*x'^2 + m/2*(ax'^2 + ay'^2) + n/2*(bx'^2 + by'^2)
+V: m*g*ay + n*g*by
+""",
+    "spherical": """
+coordinates: [a, b, c, d]
+parameters: {m: 0.7, n: 0.4, l: 0.6, r: 0.5, g: 9.81}
+define:
+  ax: l*sin(a)*cos(b)
+  ay: l*sin(a)*sin(b)
+  az: -l*cos(a)
+  bx: l*sin(a)*cos(b) + r*sin(c)*cos(d)
+  by: l*sin(a)*sin(b) + r*sin(c)*sin(d)
+  bz: -l*cos(a) - r*cos(c)
+T: m/2*(ax'^2 + ay'^2 + az'^2) + n/2*(bx'^2 + by'^2 + bz'^2)
+V: m*g*az + n*g*bz
+""",
+    "springs": """
+coordinates: [r, a, s, b]
+parameters: {m: 0.7, n: 0.4, l: 0.6, k: 20, g: 9.81}
+define: {ax: r*sin(a), ay: -r*cos(a), bx: r*sin(a) + s*sin(b), by: -r*cos(a) - s*cos(b)}
+T: m/2*(ax'^2 + ay'^2) + n/2*(bx'^2 + by'^2)
+V: m*g*ay + n*g*by + k/2*((r - l)^2 + (s - l)^2)
+""",
+    "top": """
+coordinates: [a, b, c]
+parameters: {A: 0.3, B: 0.4, C: 0.5, w: 2}
+T: A/2*(a'*sin(b)*sin(c) + b'*cos(c))^2 + B/2*(a'*sin(b)*cos(c) - b'*sin(c))^2 + C/2*(c' + a'*cos(b))^2
+V: w*cos(b)
+""",
+    # the trailer's mass stands between its axle and its hitch
+    "trailer": """
+coordinates: [x, y, a, b]
+parameters: {m: 1.3, n: 0.7, I: 0.3, J: 0.2, l: 0.9, c: 0.35, e: 0.2}
+define:
+  ax: x + e*cos(a)
+  ay: y + e*sin(a)
+  bx: x - l*cos(b) + c*cos(b)
+  by: y - l*sin(b) + c*sin(b)
+T: m/2*(ax'^2 + ay'^2) + n/2*(bx'^2 + by'^2) + I/2*a'^2 + J/2*b'^2
+constraints:
+  - y'*cos(a) - x'*sin(a) = 0
+  - (y' - l*cos(b)*b')*cos(b) - (x' + l*sin(b)*b')*sin(b) = 0
+""",
+}
+WAYS = {
+    "velocities": lambda energy: energy,
+    "multiplied out": sympy.expand,
+    "simplified": lambda energy: sympy.expand(sympy.trigsimp(sympy.expand(energy))),
+    "products as sums": lambda energy: sympy.expand(TR8(sympy.expand(energy))),
+}
+
+
+def text_of(name: str) -> str:
+    return f"nhc: 1\nsystem: {name}{SYSTEMS[name]}"
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_it_costs_what_positions_do(name: str, way: str) -> None:
+    plain, system = system_of(text_of(name)), system_of(rewritten(text_of(name), WAYS[way]))
+    assert are_equal(system.graph, [energy_as_squares(system)], [system.T])
+    expected, found = program_of(plain), program_of(system)
+    assert operations(found) <= 1.06 * operations(expected)
+    assert found.functions[0].calls <= expected.functions[0].calls
+    first, second = (
+        python_model(render(made, "python", EmitOptions())[f"{name}.py"], name) for made in (expected, found)
+    )
+    draw = random.Random(f"{name} {way}")
+    for _ in range(3):
+        y = [draw.uniform(0.3, 1.1) for _ in first.STATE]
+        assert second.rhs(0.3, y) == pytest.approx(first.rhs(0.3, y), rel=1e-10, abs=1e-10)
+
+
+def test_the_order_of_terms_does_not_matter() -> None:
+    """A chain is the same from its root to its end as in any other order."""
+    other = (
+        text_of("cart")
+        .replace("l*sin(a) + x", "x + l*sin(a)")
+        .replace("l*sin(a) + r*sin(b) + x", "r*sin(b) + x + l*sin(a)")
+    )
+    assert operations(program_of(system_of(other))) == operations(program_of(system_of(text_of("cart"))))
+
+
+def one(energy: str) -> str:
+    return f"nhc: 1\nsystem: one\ncoordinates: [a, b, c]\nparameters: {{w: 2, k: 3}}\nT: (a'^2 + b'^2 + c'^2)/2 + {energy}\n"
+
+
+@pytest.mark.parametrize(
+    ("energy", "wanted"),
+    [
+        ("cos(2*a)*b'^2/5", True),
+        ("(cos(a - b) + cos(a + b))*a'*b'/5", True),
+        ("(cos(a + 2*b) - cos(a - 2*b))*a'*b'/5", True),
+        ("cos(a - b)*a'*b'/5", False),
+        ("cos(a + b)*a'*b'/5 + cos(b + c)*b'*c'/5", False),  # of joints
+        ("cos(a - b)*a'*b'/5 + cos(b - a)*b'*c'/5", False),
+        ("cos(a/2)*b'^2/5", False),
+        ("cos(w*t)*b'^2/5", False),
+    ],
+)
+def test_which_sines_look_as_products(energy: str, wanted: bool) -> None:
+    assert are_products(system_of(one(energy))) == wanted
+
+
+@pytest.mark.parametrize(
+    "energy",
+    ["cos(2*a - b)*b'^2/5", "sin(-a - b - 2*c)*b'*c'/5", "cos(3*a + w*t)*b'^2/5", "sin(a - (b - c) + k)*a'*c'/5"],
+)
+def test_what_is_taken_apart_keeps_its_value(energy: str) -> None:
+    system = system_of(one(energy))
+    made = take_apart(system, every=True)
+    assert made != system.T
+    assert are_equal(system.graph, [made], [system.T])
+
+
+@pytest.mark.parametrize(
+    ("square", "parts"),
+    [
+        ("(k - w)^2", 2),
+        ("3/2*(k + 2*w)^2", 2),
+        ("(k*w - w/3)^2", 2),
+        ("(w - k - 1/k*w*k^2/3 + w*k)^2", 3),
+        ("k^2 + w^2", 0),
+        ("k^2 + 3*k*w + w^2", 0),
+        ("2*k^2 + 4*k*w + w^2", 0),
+        ("k^2*w^2", 0),
+        ("-(k + w)^2", 0),
+    ],
+)
+def test_squares_of_sums_of_parameters(square: str, parts: int) -> None:
+    system = system_of(f"nhc: 1\nsystem: one\ncoordinates: [b]\nparameters: {{w: 2, k: 3}}\nT: ({square})*b'^2\n")
+    g, p = system.graph, Quadratic(system).plus({}, system.T, Fraction(1))[0, 0]
+    found = linear_root(p)
+    assert len(found) == parts
+    if parts:
+        assert found[0][1] == 1
+        first, _ = found[0]
+        number = Fraction(p[tuple((f, 2 * e) for f, e in first)])
+        whole = g.mul_number(number, g.power(to_node(g, dict(found)), 2))
+        assert are_equal(g, [whole], [to_node(g, p)])
+
+
+def test_arms_by_joints_are_no_products() -> None:
+    assert not are_products(system_of(arm(4, by="cosines")))
