@@ -20,12 +20,14 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.mechanics.associate import Equations
+from nhc.mechanics.choosing.adapt import with_places
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.detour import Detour
 from nhc.mechanics.energies.kinetic import kinetic_structure
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.frame import make_frame
+from nhc.mechanics.frame import form_value, make_frame, total_derivative, velocity_symbol
 from nhc.mechanics.rotations.rotation import Rotation, make_rotation, put, spell
+from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.rotations.turns import Vector
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -50,17 +52,22 @@ class _Top:
         return found
 
 
-def find_in_space(equations: Equations, kept: Sequence[Form]) -> Detour | None:
-    """The equations with each spherical top's omega in space; None where there is none or it does not help.
+def find_in_space(equations: Equations, kept: Sequence[Form]) -> list[Detour]:
+    """The equations with each spherical top's omega in space, and by way of what is simpler there; none where there is no top or it
+    does not help.
 
     ``kept`` are the forms whose values the velocities w are.
     """
     system = equations.system
     if not system.rotations or "spherical tops" in system.graph.off or len(kept) != system.n - system.l:
-        return None
+        return []
     tops = _read(system, kept)
     turned = _in_space(system, kept, tops) if tops else None
-    return _detour(equations, turned[0], turned[1], tops) if turned is not None else None
+    found = _detour(equations, turned[0], turned[1], tops) if turned is not None else None
+    if turned is None or found is None:
+        return []
+    other = _by_places(equations, kept, found, turned[0], tops)
+    return [found] if other is None else [found, other]
 
 
 def _read(system: System, kept: Sequence[Form]) -> list[_Top]:
@@ -190,3 +197,52 @@ def _detour(equations: Equations, system: System, forms: Sequence[Form], tops: S
     except Singular:
         return None
     return Detour(made, frame, values, (g.zero,) * len(w), tuple(back))
+
+
+def _by_places(
+    equations: Equations, kept: Sequence[Form], there: Detour, system: System, tops: Sequence[_Top]
+) -> Detour | None:
+    """By way of the rates of places and the spin about the normal, with omega' = R^T omega_space' as before."""
+    g, own = system.graph, [w for top in tops for w in top.there.omega]
+    names = {form.name for form in system.quasi}
+    spoken = {name: omega for top in tops for name, omega in zip(_names(system, top), top.there.omega, strict=True)}
+    if not spoken.keys() <= names:
+        return None
+    quasi = tuple(
+        Form.written(form.name, spoken[form.name], g, system.v, form.place) if form.name in spoken else form
+        for form in system.quasi
+    )
+    made = replace(system, quasi=quasi)
+    first = tuple(there.frame.forms[system.l :])
+    forms = with_places(made, (), first)
+    if forms == first:
+        return None
+    symbols = [velocity_symbol(made, form) for form in forms]
+    try:
+        frame = make_frame(made, forms, symbols)
+        inner = equations_of(
+            made, Formulation("euler-lagrange", "I.2.15", frame, None, (), ""), kinetic_structure(made)
+        )
+    except Singular:
+        return None
+    on_there = moving(made, there.frame.kinematics)
+    for node, symbol in zip(own, (there.frame.free[place] for top in tops for place in top.kept), strict=True):
+        put(g, on_there, node, symbol)
+    values = substitute(g, [form_value(made, form) for form in forms], on_there, named=False)
+    still = dict.fromkeys(there.frame.free, g.zero)
+    drift = [total_derivative(made, value, there.frame.kinematics, still) for value in values]
+    by_u = moving(made, frame.kinematics)
+    back = substitute(g, [form_value(made, form) for form in kept], by_u)
+    for top in tops:
+        turned = top.there.turning(g, [frame.kinematics[k] for k in top.there.places])[1:]
+        for place, column in zip(top.kept, zip(*top.own.matrix, strict=True), strict=True):
+            back[place] = g.dot(column, turned)
+    flat = substitute(g, [*values, *drift], there.values)
+    count = len(forms)
+    return Detour(inner, frame, dict(zip(frame.free, flat[:count], strict=True)), tuple(flat[count:]), tuple(back))
+
+
+def _names(system: System, top: _Top) -> tuple[str, ...]:
+    """Of the components of a top's omega."""
+    spec = system.spec.rotations
+    return next(tuple(r.velocities) for r in spec if r.name == top.own.name)

@@ -87,7 +87,7 @@ def text_of(name: str, *, body: bool = False) -> str:
 system: {name}
 coordinates: [{coordinates}]
 rotation: {{R: {{velocities: [wx, wy, wz]{"" if body else ", frame: space"}}}}}
-parameters: {{m: 1.2, a: 0.1, k: 0.4, g: 9.81, b: 1.1, al: 0.7}}
+parameters: {{m: 1.2, a: 0.1, k: 0.4, g: 9.81, b: 1.1, al: 0.7, c: 0.02}}
 define:
 {named}T: m/2*(px'^2 + py'^2 + pz'^2) + k*m*a^2/2*(wx^2 + wy^2 + wz^2)
 V: m*g*pz

@@ -181,14 +181,14 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     candidates = turning_choices(system, forms)
     best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
     if _least_at_starts(system, best) >= _WEAK**system.l:
-        return _with_places(system, forms, _with_edges(system, forms, best))
+        return with_places(system, forms, _with_edges(system, forms, best))
     pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
     angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
     # the rates of quaternions may be regular at more places, but nobody speaks in them
     strong = strongest(system, forms, [angular, pool[len(angular) : -system.n]], _start_points(system))
     made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
     soundest = max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
-    return _with_places(system, forms, soundest)
+    return with_places(system, forms, soundest)
 
 
 def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
@@ -208,7 +208,7 @@ def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
     return trial
 
 
-def _with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
+def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
     """``best``, or the velocities of coordinates before angular ones, where these are as regular and T is simpler in them.
 
     Of a ball in a cone the angular velocity has a full matrix that moves; with the rates of its place and the spin about the normal

@@ -87,7 +87,7 @@ def mass_route(
     if not straight:
         in_space = find_in_space(full, kept)
         detour = find_detour(full, kept) if not full.system.l or least <= _SHORT * size else None
-        found += [_by(way, full, put_in) for way in (detour, in_space) if way is not None]
+        found += [_by(way, full, put_in) for way in (detour, *in_space) if way is not None]
         found += _with_other_angles(full, put_in, kept)
         least = min(count(g, way.values) for way in found)
     bodies = _of_bodies(full, put_in) if least > _APART * size else None
