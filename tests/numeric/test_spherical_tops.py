@@ -113,7 +113,7 @@ def test_what_is_no_spherical_top_is_left_alone(change: tuple[str, str]) -> None
 
 @pytest.mark.parametrize(("name", "most"), [("in a bowl", 190), ("in a cone", 213)])
 def test_by_way_of_the_spin_about_the_normal(name: str, most: int) -> None:
-    """The state is what the spec has, on the ball's own axes; by omega in space it would be 232 operations, and 229 with friction."""
+    """The state is what the spec has, on the ball's own axes; by omega in space it would be 232 operations, with friction 229."""
     system = resolve(decode(Source("s.yaml", SYSTEMS[name])))
     formulation = formulate(system)
     found = find_in_space(equations_of(system, formulation), kept_forms(system, formulation.frame))
