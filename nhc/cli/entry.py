@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import re
 import sys
 import traceback
 from collections.abc import Sequence
@@ -151,6 +152,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _report(error)
 
 
+_CLICK_WORDS = (
+    (r"'([^']*)' is not a valid integer(?: range)?$", r"`\1` is no whole number"),
+    (r"'([^']*)' is not a valid float(?: range)?$", r"`\1` is no number"),
+    (r"(\S+) is not in the range (\S+?)<=x<=(\S+)$", r"`\1` is not from \2 to \3"),
+)
+"""What click says of numbers, and what a user of it would say."""
+
+
 def _asks_for_text(words: Sequence[str]) -> bool:
     """Whether help or the version is asked for."""
     options = words[: words.index("--")] if "--" in words else words
@@ -160,6 +169,8 @@ def _asks_for_text(words: Sequence[str]) -> bool:
 def _describe_usage_error(error: click.ClickException, arguments: Sequence[str]) -> str:
     """Put click's message into the house's form: lower case, one line, no final stop, and what to do."""
     words = " ".join(error.format_message().split()).removesuffix(".")
+    for theirs, ours in _CLICK_WORDS:
+        words = re.sub(theirs, ours, words)
     context = getattr(error, "ctx", None)
     verb = next((word for word in arguments if not word.startswith("-")), "")
     path = f"nhc {verb}" if verb in VERBS else "nhc"  # click names no context where an option lacks its value
