@@ -31,6 +31,7 @@ from nhc.mechanics.regular.trials import ordinary_points, sampled_rows, trial_po
 from nhc.mechanics.system import Form, System
 
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
+_MOST_PLACES = 14  # coordinates, beyond which matrices in all velocities take longer than they are worth
 _SAME = 1e-9  # of the largest entry of T's matrix
 _ALIKE = 0.03  # what two completions on axes may differ by, of which the first is taken
 _FEW_COORDINATES = 8  # of mechanisms up to which multipliers are short
@@ -215,6 +216,8 @@ def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
     the matrix is diagonal and holds the distance from the tip alone.  Where constraints hold roots, as those of a paraboloid's
     normal, what cancels there is too long to be seen, and other velocities come out longer.
     """
+    if system.n > _MOST_PLACES:
+        return best
     g, every = system.graph, [coordinate_form(system, j) for j in range(system.n)]
     written = [form_value(system, form) for form in system.constraints]
     if any(g.op[node] in ("sqrt", "powf") for node in reachable(g, written)):
