@@ -44,7 +44,7 @@ RULES = (
     ),
     Rule(
         "orthonormal rows",
-        "three velocities on the axes of a body are solved for by the transpose of its matrix, not by its cofactors",
+        "three velocities on the axes of a body, with factors in front or not, are solved for by the transpose of its matrix",
         "algebra/solving/orthonormal.py",
     ),
     Rule(

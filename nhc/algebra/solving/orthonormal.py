@@ -1,6 +1,7 @@
-"""Blocks of a linear system whose rows are orthonormal: the inverse is the transpose.
+"""Blocks of a linear system whose rows are orthonormal, but for factors of whole rows: the inverse is the transpose.
 
-Velocities on the axes of a body, as those of an aircraft or an underwater vehicle are given, are such rows: u = R^T x'.
+Velocities on the axes of a body, as those of an aircraft or an underwater vehicle are given, are such rows: u = R^T x'; and so are
+those of a ball that rolls, written along tangents of a surface, with the spin about its normal.
 """
 
 from __future__ import annotations
@@ -10,10 +11,25 @@ from itertools import combinations_with_replacement
 
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import Factor, common, split_parameters
 from nhc.algebra.probe import probe_of
 
+_ALL = -1  # the mask of all symbols
 _NEAR = 1e-9
 """How far a product of two rows may be from 0 or 1 at a point, in doubles, to be looked at exactly."""
+
+
+def seem_orthogonal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
+    """Whether the rows are at right angles at a point."""
+    probe = probe_of(graph)
+    values = [[probe.value(entry) for entry in row] for row in block]
+    for i, first in enumerate(values):
+        for second in values[:i]:
+            total = sum(x * y for x, y in zip(first, second, strict=True))
+            size = sum(abs(x * y) for x, y in zip(first, second, strict=True))
+            if not abs(total) <= _NEAR * size:  # nan says no
+                return False
+    return True
 
 
 def is_orthonormal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
@@ -29,8 +45,25 @@ def is_orthonormal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
     return all(are_zero(g, [g.sub(dot, g.one) if i == j else dot for dot, (i, j) in zip(dots, pairs, strict=True)]))
 
 
+def without_factors(graph: Graph, block: Sequence[Sequence[Node]]) -> tuple[list[list[Node]], list[Node]]:
+    """The rows without the factors that all their entries have, and these."""
+    rows, factors = list[list[Node]](), list[Node]()
+    for row in block:
+        split = [split_parameters(graph, x, _ALL) for x in row]
+        shared = common([factor for factor, sign in split if sign != graph.zero])
+        made = []
+        for factor, sign in split:
+            powers = {base: n - shared.powers.get(base, 0) for base, n in factor.powers.items()}
+            made.append(graph.mul(sign, Factor(factor.number / shared.number, powers).node(graph)))
+        rows.append(made)
+        factors.append(shared.node(graph))
+    return rows, factors
+
+
 def solve_transposed(
-    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]]
+    graph: Graph, block: Sequence[Sequence[Node]], factors: Sequence[Node], columns: Sequence[Sequence[Node]]
 ) -> list[list[Node]]:
-    """The unknowns for each right side, of orthonormal rows."""
-    return [[graph.dot(lines, column) for lines in zip(*block, strict=True)] for column in columns]
+    """The unknowns for each right side, of orthonormal rows with factors in front."""
+    g = graph
+    bare = [[g.div(x, factor) for x, factor in zip(column, factors, strict=True)] for column in columns]
+    return [[g.dot(lines, column) for lines in zip(*block, strict=True)] for column in bare]

@@ -17,7 +17,7 @@ from nhc.mechanics.choosing.energy import free_energy
 from nhc.mechanics.choosing.headings import Axes, along_headings, on_axes
 from nhc.mechanics.choosing.independence import MANY_ROWS, SOUND, independence, strongest
 from nhc.mechanics.choosing.minors import adapted_forms, stepwise_forms, unused_name
-from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish
+from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish, weak_factors
 from nhc.mechanics.choosing.spins import spins
 from nhc.mechanics.choosing.stepwise import order_stepwise
 from nhc.mechanics.frame import coordinate_form, form_value, make_frame, velocity_symbol
@@ -210,7 +210,7 @@ def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
 
 
 def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
-    """``best``, or the velocities of coordinates before angular ones, where these are as regular and T is simpler in them.
+    """``best``, or the velocities of coordinates before angular ones, where these are regular where it is and T is simpler in them.
 
     Of a ball in a cone the angular velocity has a full matrix that moves; with the rates of its place and the spin about the normal
     the matrix is diagonal and holds the distance from the tip alone.  Where constraints hold roots, as those of a paraboloid's
@@ -233,7 +233,7 @@ def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
         entries = _moving_entries(system, trial)
         if not entries < simplest or _least_at_starts(system, trial) < min(least, _WEAK**system.l):
             continue
-        if count_weak(system, trial) <= count_weak(system, best):
+        if weak_factors(system, trial) <= weak_factors(system, best):
             best, simplest = trial, entries
     return best
 

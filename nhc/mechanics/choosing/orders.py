@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nhc.algebra.bounds.interval import cannot_vanish
+from nhc.algebra.graph import Node
+from nhc.algebra.parts import split_powers
 from nhc.algebra.rewriting.angles import normalise_angles as normalise
 from nhc.algebra.solving.blocks import determinant_of
 from nhc.mechanics.frame import make_frame, velocity_symbol
@@ -37,6 +39,17 @@ def may_vanish(system: System, forms: Sequence[Form]) -> bool:
 
 def count_weak(system: System, free: Sequence[Form]) -> int:
     """How many of the pivots that a coframe is solved by may vanish, ``free`` being its forms beside the constraints."""
+    return len(_list_weak(system, free))
+
+
+def weak_factors(system: System, free: Sequence[Form]) -> set[Node]:
+    """The factors of these pivots that may vanish."""
+    g, known = system.graph, intervals(system)
+    factors = {base for pivot in _list_weak(system, free) for base in split_powers(g, pivot)[1]}
+    return {base for base in factors if not cannot_vanish(g, base, known)}
+
+
+def _list_weak(system: System, free: Sequence[Form]) -> list[Node]:
     frame = make_frame(system, free, [velocity_symbol(system, form) for form in free])
     known = intervals(system)
-    return sum(not cannot_vanish(system.graph, guard, known) for guard, _ in frame.guards)
+    return [guard for guard, _ in frame.guards if not cannot_vanish(system.graph, guard, known)]

@@ -12,12 +12,14 @@ from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import Factor, common, split_parameters
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.mechanics.choosing.minors import unused_name
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.rotations.turning import from_base, moving
 from nhc.mechanics.rotations.turns import cross
 from nhc.mechanics.system import Form, System
 
+_TERMS = 120
 _ALL = -1
 """The mask of all symbols."""
 
@@ -34,7 +36,8 @@ def spins(system: System) -> list[Form]:
         if any(x != g.zero for row in rows for j, part in enumerate(row) if j != k for x in part):
             continue
         first, second = (row[k] for row in rows)
-        normal = _without_factor(g, cross(g, (first[0], first[1], first[2]), (second[0], second[1], second[2])))
+        across = cross(g, (first[0], first[1], first[2]), (second[0], second[1], second[2]))
+        normal = _without_factor(g, [normalise_angles(g, x, _TERMS) for x in across])
         if g.depends(g.sum(normal), g.mask([system.q[place] for place in rotation.places])):
             continue
         value = g.dot(normal, [form_value(system, by_name[w]) for w in written.velocities])
