@@ -103,6 +103,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
         "formulation": found.formulation.name,
         "kind": "equilibrium" if made.steady.equilibrium else "steady motion",
         "state": dict(zip(flow.names, made.steady.y, strict=True)),
+        "where": _added(found),
         "parameters": dict(zip((p.name for p in flow.system.spec.parameters), found.model.p, strict=True)),
         "residual": made.steady.residual,
         "steps": made.steady.steps,
@@ -134,6 +135,13 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
     return tree
 
 
+def _added(found: Findings) -> dict[str, str]:
+    """What the velocities are that nhc made."""
+    from nhc.mechanics.frame import describe_added
+
+    return describe_added(found.flow.system, found.formulation.frame)
+
+
 def _motion_lines(found: Findings) -> list[str]:
     from nhc.study.linearization.turns import list_rates
 
@@ -146,6 +154,7 @@ def _motion_lines(found: Findings) -> list[str]:
         lines.append(
             f"  {name:{width}} = {value if abs(value) > 1e-13 else 0:.15g}{'  (cyclic)' if i in found.model.cyclic else ''}"
         )
+    lines += [f"  where {name} = {text}" for name, text in _added(found).items()]
     together: dict[str, list[str]] = {}
     for entries, rate in list_rates(steady.turning, flow):
         together.setdefault(f"{rate:.6g}", []).append(entries[0] if len(entries) == 1 else f"({', '.join(entries)})")

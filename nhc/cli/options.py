@@ -148,9 +148,13 @@ scene_time_option = click.option(
 
 
 def need_option(what: str) -> Callable[[Command], Command]:
-    """``--need``; the help says ``what`` these names are."""
+    """``--need``, once or several times; the help says ``what`` these names are."""
+
+    def join(context: click.Context, parameter: click.Parameter, values: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(name for value in values for name in split_names(context, parameter, value))
+
     return click.option(
-        "--need", "needs", metavar="A,B", callback=split_names, help=f"{what}; default: the scene's need."
+        "--need", "needs", metavar="A,B", multiple=True, callback=join, help=f"{what}; default: the scene's need."
     )
 
 
