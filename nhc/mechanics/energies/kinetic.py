@@ -134,7 +134,7 @@ def energy_as_squares(system: System) -> Node:
     if system.T not in memo:
         memo[system.T] = system.T
         may, degree = not system.rotations and "completed squares" not in g.off, degrees(g, system.v)
-        written = may and _has_products(g, system.T, degree) and _has_moving_factors(system)
+        written = may and _has_products(g, system.T, degree) and _is_multiplied_out(system)
         if written or (may and _has_lone_points(system, degree)):
             from nhc.mechanics.energies.absolute import complete_squares  # here, for few specs need it
 
@@ -157,10 +157,15 @@ def _has_products(graph: Graph, root: Node, degree: Sequence[int]) -> bool:
     return False
 
 
-def _has_moving_factors(system: System) -> bool:
-    g, hessian = system.graph, _structure(system, system.T).hessian
-    constants = g.mask(system.p)
-    return any(g.depends(h, ~constants) for i, row in enumerate(hessian) for h in row[: i + 1])
+def _is_multiplied_out(system: System) -> bool:
+    """Whether factors of its forms' products move, or velocities are multiplied with what is no velocity of a coordinate."""
+    g, kinetic = system.graph, _structure(system, system.T)
+    constants, plain = g.mask(system.p), [atom in system.v for atom in kinetic.atoms]
+    return any(
+        g.depends(h, ~constants) or (h != g.zero and plain[i] != plain[j])
+        for i, row in enumerate(kinetic.hessian)
+        for j, h in enumerate(row[: i + 1])
+    )
 
 
 def _has_lone_points(system: System, degree: Sequence[int]) -> bool:

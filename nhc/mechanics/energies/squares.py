@@ -183,6 +183,7 @@ class _Energy:
         held = {n: self._held(entries, n) for n in own}
         for n in sorted(own, key=lambda n: (held[n], -n)):
             yield self._points(entries, n)
+        yield from self._carried(entries)
         for n in own:
             square = root(g, entries[n, n])
             if square is None:
@@ -191,6 +192,28 @@ class _Energy:
             form = self._scalar({j: self._entry(entries, n, j) for j in range(size + 1) if j != n}, n, factor, monomial)
             if form is not None:
                 yield [form]
+
+    def _carried(self, entries: Entries) -> Iterator[list[Square]]:
+        """Points that several velocities move at right angles everywhere, as x' and y': what else moves them is in their rows."""
+        g, one = self.graph, ()
+        plain = [n for n in range(len(self.system.v)) if entries.get((n, n), {}).keys() == {one}]
+        for size in (3, 2):
+            for group in combinations(plain, size):
+                factor = Fraction(entries[group[0], group[0]][one])
+                alike = all(entries[n, n][one] == factor for n in group)
+                if not alike or any(pair in entries for pair in combinations(group, 2)):
+                    continue
+                others = [j for j in range(len(self.v)) if j not in group]
+                rows = [[(j, divide(self._entry(entries, n, j), factor, ()) or {}) for j in others] for n in group]
+                if any(p for row in rows for _, p in row):
+                    parts = [[g.mul(to_node(g, p), self.v[j]) for j, p in row] for row in rows]
+                    yield [
+                        Square(
+                            factor,
+                            tuple(g.sum([self.v[n], *own]) for n, own in zip(group, parts, strict=True)),
+                            group[0],
+                        )
+                    ]
 
     def _held(self, entries: Entries, n: int) -> int:
         """How many entries outside row n depend on its coordinate."""
