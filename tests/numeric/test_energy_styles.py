@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from fractions import Fraction
 
 import pytest
@@ -96,6 +97,44 @@ def test_it_costs_what_positions_do(name: str, way: str) -> None:
     for _ in range(3):
         y = [draw.uniform(0.3, 1.1) for _ in first.STATE]
         assert second.rhs(0.3, y) == pytest.approx(first.rhs(0.3, y), rel=1e-10, abs=1e-10)
+
+
+SKEW = f"""nhc: 1
+system: skew
+coordinates: [x, y, a, b]
+parameters: {{m: 1.3, n: 0.7, I: 0.3, J: 0.2, l: 0.9, c: 0.35, d: 0.15, e: 0.2}}
+define:
+  ax: x + e*cos(a)
+  ay: y + e*sin(a)
+  bx: x - l*cos(b) + c*cos(b) + d*sin(b)
+  by: y - l*sin(b) + c*sin(b) - d*cos(b)
+T: m/2*(ax'^2 + ay'^2) + n/2*(bx'^2 + by'^2) + I/2*a'^2 + J/2*b'^2
+constraints:
+{SYSTEMS["trailer"].partition("constraints:")[2].lstrip(chr(10))}"""
+"""A trailer whose mass stands beside its axle and its middle: no square of one sum of parameters is before b'^2."""
+COLLECTED = """T: >-
+  a'^2*(I/2 + e^2*m/2) + b'^2*(J/2 + c^2*n/2 - c*l*n + d^2*n/2 + l^2*n/2) + (x'^2 + y'^2)*(m/2 + n/2)
+  + x'*(-c*n*b'*sin(b) + d*n*b'*cos(b) - e*m*a'*sin(a) + l*n*b'*sin(b))
+  + y'*(c*n*b'*cos(b) + d*n*b'*sin(b) + e*m*a'*cos(a) - l*n*b'*cos(b))
+"""
+
+
+@pytest.mark.parametrize("way", ["multiplied out", "simplified", "products as sums", "collected"])
+def test_a_point_that_several_velocities_move_at_right_angles(way: str) -> None:
+    """Whatever arms it has is in the rows of x' and y'."""
+    if way == "collected":
+        text = re.sub(r"(?m)^T:.*\n", COLLECTED, SKEW)
+    else:
+        text = rewritten(SKEW, WAYS[way])
+    plain, system = system_of(SKEW), system_of(text)
+    assert are_equal(system.graph, [energy_as_squares(system)], [system.T])
+    expected, found = program_of(plain), program_of(system)
+    assert operations(found) <= operations(expected)
+    first, second = (
+        python_model(render(made, "python", EmitOptions())["skew.py"], "skew") for made in (expected, found)
+    )
+    y = [0.3 + 0.1 * k for k in range(len(first.STATE))]
+    assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-10, abs=1e-10)
 
 
 def test_the_order_of_terms_does_not_matter() -> None:

@@ -20,7 +20,7 @@ from nhc.algebra.rewriting.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.joined import make_product, split_factors
 from nhc.algebra.rewriting.shorten import canonical_form, shorten
-from nhc.algebra.solving.orthonormal import is_orthonormal, seem_orthogonal, solve_transposed, without_factors
+from nhc.algebra.solving.orthonormal import solve_orthonormal
 from nhc.algebra.solving.sizes import row_scale
 from nhc.algebra.walks import count, reachable
 
@@ -127,28 +127,12 @@ def solve_block(
     if "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness, 0, pivots)
     if size == _IN_SPACE and "orthonormal rows" not in graph.off:
-        solved = _solve_orthonormal(graph, block, columns, scale)
+        solved = solve_orthonormal(graph, block, columns, scale)
         if solved is not None:
             return solved
     if size > _LARGEST_AT_ONCE:
         return _eliminate(graph, block, columns, weakness, LARGEST_CORE, pivots)
     return _solve_by_determinants(graph, block, columns, scale)
-
-
-def _solve_orthonormal(
-    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], scale: Callable[[], Node] | None
-) -> tuple[list[list[Node]], list[tuple[Node, Node]]] | None:
-    """Where rows are orthonormal but for the factors in front of them, whose product the determinant is."""
-    if not seem_orthogonal(graph, block):
-        return None
-    short = [[normalise_angles(graph, x, _TERMS) for x in row] for row in block]
-    rows, factors = without_factors(graph, short)
-    if not is_orthonormal(graph, rows):
-        return None
-    determinant = graph.product(factors)
-    if graph.value(determinant) is not None:
-        return solve_transposed(graph, rows, factors, columns), []
-    return solve_transposed(graph, rows, factors, columns), [(determinant, scale() if scale else graph.one)]
 
 
 def without_sign(graph: Graph, node: Node) -> Node:

@@ -6,20 +6,40 @@ those of a ball that rolls, written along tangents of a surface, with the spin a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations_with_replacement
 
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import Factor, common, split_parameters
 from nhc.algebra.probe import probe_of
+from nhc.algebra.rewriting.angles import normalise_angles
 
+_TERMS = 120
 _ALL = -1  # the mask of all symbols
 _NEAR = 1e-9
 """How far a product of two rows may be from 0 or 1 at a point, in doubles, to be looked at exactly."""
 
 
-def seem_orthogonal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
+def solve_orthonormal(
+    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], scale: Callable[[], Node] | None
+) -> tuple[list[list[Node]], list[tuple[Node, Node]]] | None:
+    """Unknowns and guards, where the rows are orthonormal but for the factors in front of them, whose product the determinant is;
+    ``scale`` gives the product of the 1-norms of its whole rows.
+    """
+    if not _seem_orthogonal(graph, block):
+        return None
+    short = [[normalise_angles(graph, x, _TERMS) for x in row] for row in block]
+    rows, factors = _without_factors(graph, short)
+    if not _is_orthonormal(graph, rows):
+        return None
+    determinant = graph.product(factors)
+    if graph.value(determinant) is not None:
+        return _solve_transposed(graph, rows, factors, columns), []
+    return _solve_transposed(graph, rows, factors, columns), [(determinant, scale() if scale else graph.one)]
+
+
+def _seem_orthogonal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
     """Whether the rows are at right angles at a point."""
     probe = probe_of(graph)
     values = [[probe.value(entry) for entry in row] for row in block]
@@ -32,7 +52,7 @@ def seem_orthogonal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
     return True
 
 
-def is_orthonormal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
+def _is_orthonormal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
     """Whether the rows are orthonormal for all values of their symbols."""
     g, probe = graph, probe_of(graph)
     values = [[probe.value(entry) for entry in row] for row in block]
@@ -45,7 +65,7 @@ def is_orthonormal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
     return all(are_zero(g, [g.sub(dot, g.one) if i == j else dot for dot, (i, j) in zip(dots, pairs, strict=True)]))
 
 
-def without_factors(graph: Graph, block: Sequence[Sequence[Node]]) -> tuple[list[list[Node]], list[Node]]:
+def _without_factors(graph: Graph, block: Sequence[Sequence[Node]]) -> tuple[list[list[Node]], list[Node]]:
     """The rows without the factors that all their entries have, and these."""
     rows, factors = list[list[Node]](), list[Node]()
     for row in block:
@@ -60,7 +80,7 @@ def without_factors(graph: Graph, block: Sequence[Sequence[Node]]) -> tuple[list
     return rows, factors
 
 
-def solve_transposed(
+def _solve_transposed(
     graph: Graph, block: Sequence[Sequence[Node]], factors: Sequence[Node], columns: Sequence[Sequence[Node]]
 ) -> list[list[Node]]:
     """The unknowns for each right side, of orthonormal rows with factors in front."""

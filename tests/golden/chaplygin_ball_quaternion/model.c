@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b38c90e6faa4b6d6)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:a8d49cbb20aa402f)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -620,13 +620,13 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double z34 = R_0 * R_3;
     const double z35 = z25 * z29 - z26 * z30;
     const double z36 = z28 * z18 - 4.0 * (z19 * z35) + 2.0 * (z23 * z30);
-    const double z37 = 2.0 * ((R_0 * R_1 - R_2 * R_3) * z32) - (2.0 * ((z33 + z34) * (z36 * z31)) - k1 * (z35
+    const double z37 = 2.0 * ((R_2 * R_3 - R_0 * R_1) * z32) + (2.0 * ((z33 + z34) * (z36 * z31)) - k1 * (z35
         * (1.0 - 2.0 * (z4 * z5))));
     const double z38 = k1 * (z36 * (1.0 - 2.0 * ((z2 + z3) * z5))) - 2.0 * ((z33 - z34) * (z35 * z31));
     /* (I.4.1) 23:5 */
-    lambda[0] = -z37; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = z37; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 24:5 */
-    lambda[1] = -(2.0 * ((R_0 * R_2 + z12) * z32) + z38); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = -(2.0 * ((z12 + R_0 * R_2) * z32) + z38); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 10:3 */
     lambda[2] = 0.0; /* reaction of R_norm: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

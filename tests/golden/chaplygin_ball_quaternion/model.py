@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:689ac43165745c05).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:d8c2b1645522f387).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -575,14 +575,14 @@ def reactions(
         z36 = z28 * z18 - 4.0 * (z19 * z35) + 2.0 * (z23 * z30)
         s1 = k1 * (z35 * (1.0 - 2.0 * (z4 * z5)))
         s2 = 2.0 * ((z33 + z34) * (z36 * z31)) - s1
-        z37 = 2.0 * ((R_0 * R_1 - R_2 * R_3) * z32) - s2
+        z37 = 2.0 * ((R_2 * R_3 - R_0 * R_1) * z32) + s2
         s3 = k1 * (z36 * (1.0 - 2.0 * ((z2 + z3) * z5)))
         z38 = s3 - 2.0 * ((z33 - z34) * (z35 * z31))
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 23:5
-            -z37,
+            z37,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 24:5
-            -(2.0 * ((R_0 * R_2 + z12) * z32) + z38),
+            -(2.0 * ((z12 + R_0 * R_2) * z32) + z38),
             # reaction of R_norm: Q_i gains lambda_3 a_3i (I.4.1) 10:3
             0.0,
         ]
