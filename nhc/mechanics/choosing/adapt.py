@@ -228,7 +228,7 @@ def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
     made = [_extend(system, forms, system.n - system.l, [*own, *pool]) for own in first for pool in pools]
     least, simplest = _least_at_starts(system, best), _moving_entries(system, best)
     for trial in _in_one_order(made, [*forms, *pools[0]]):
-        if {form.name for form in trial} == {form.name for form in best} or not simplest:
+        if {form.name for form in trial} == {form.name for form in best}:
             continue
         entries = _moving_entries(system, trial)
         if not entries < simplest or _least_at_starts(system, trial) < min(least, _WEAK**system.l):
@@ -239,17 +239,16 @@ def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
 
 
 def _moving_entries(system: System, made: Sequence[Form]) -> tuple[int, int]:
-    """How many entries of T's matrix in these velocities move, and how many are off its diagonal."""
+    """How many entries of T's matrix in these velocities move, and how many are off its diagonal; all where it has no value."""
+    size = len(made) * len(made)
     frame = make_frame(system, made, [velocity_symbol(system, form) for form in made])
     one, other = (free_energy(system, frame, dict(place)) for place in trial_points(system)[-2:])
-    pairs = [
-        (i == k, x, y)
-        for i, (row, second) in enumerate(zip(one, other, strict=False))
-        for k, (x, y) in enumerate(zip(row[: i + 1], second, strict=False))
-    ]
-    size = _SAME * max((abs(x) for _, x, _ in pairs), default=0.0)
-    moving = sum(abs(x - y) > size for _, x, y in pairs)
-    return moving, sum(not own and max(abs(x), abs(y)) > size for own, x, y in pairs)
+    if not one or not other:
+        return size, size
+    pairs = [(i == k, one[i][k], other[i][k]) for i in range(len(one)) for k in range(i + 1)]
+    least = _SAME * max((abs(x) for _, x, _ in pairs), default=0.0)
+    moving = sum(abs(x - y) > least for _, x, y in pairs)
+    return moving, sum(not own and max(abs(x), abs(y)) > least for own, x, y in pairs)
 
 
 def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:

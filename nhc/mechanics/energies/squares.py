@@ -32,6 +32,8 @@ from nhc.records import record
 
 _LONGER = 1.25
 """How many times as long squares may be where they say more: that a mass is a point, too."""
+_CARRIERS = 8
+"""Velocities up to which those that carry a point are looked for."""
 _FORMS = 12
 """Forms up to which products of two are looked for."""
 
@@ -196,8 +198,9 @@ class _Energy:
     def _carried(self, entries: Entries) -> Iterator[list[Square]]:
         """Points that several velocities move at right angles everywhere, as x' and y': what else moves them is in their rows."""
         g, one = self.graph, ()
-        plain = [n for n in range(len(self.system.v)) if entries.get((n, n), {}).keys() == {one}]
-        for size in (3, 2):
+        moved = {n for key, p in entries.items() if key[0] != key[1] and self.terms.moves(p) for n in key}
+        plain = [n for n in range(len(self.system.v)) if n in moved and entries.get((n, n), {}).keys() == {one}]
+        for size in (3, 2) if len(plain) <= _CARRIERS else ():
             for group in combinations(plain, size):
                 factor = Fraction(entries[group[0], group[0]][one])
                 alike = all(entries[n, n][one] == factor for n in group)
