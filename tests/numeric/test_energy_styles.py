@@ -208,16 +208,3 @@ def test_squares_of_sums_of_parameters(square: str, parts: int) -> None:
 
 def test_arms_by_joints_are_no_products() -> None:
     assert not are_products(system_of(arm(4, by="cosines")))
-
-
-def test_many_velocities_that_might_carry_points_are_not_combined() -> None:
-    """A bar of sixty elements with their consistent masses: no three of its velocities are tried for each other."""
-    count = 60
-    terms = [f"x{k}'^2 + x{k}'*x{k + 1}'" for k in range(count - 1)]
-    text = (
-        f"nhc: 1\nsystem: bar\ncoordinates: [{', '.join(f'x{k}' for k in range(count))}, a]\nparameters: {{m: 1, k: 2, l: 0.3}}\n"
-        f"T: m/6*({' + '.join(terms)} + x{count - 1}'^2) + m/2*(l^2*a'^2 + 2*l*cos(a)*a'*x0')\n"
-    )
-    system = system_of(text)
-    assert are_equal(system.graph, [energy_as_squares(system)], [system.T])
-    assert len(system.graph.op) < 40 * count
