@@ -41,6 +41,18 @@ def common(factors: Sequence[Factor]) -> Factor:
     return Factor(shared, {base: n for base, n in powers.items() if n > 0})
 
 
+def take_out_common(graph: Graph, nodes: Sequence[Node]) -> tuple[Node, list[Node]]:
+    """The factor that all nodes but zeros have, of parameters or not, and the nodes without it."""
+    g, every = graph, -1
+    split = [split_parameters(g, node, every) for node in nodes]
+    shared = common([factor for factor, sign in split if sign != g.zero])
+    left = list[Node]()
+    for factor, sign in split:
+        powers = {base: n - shared.powers.get(base, 0) for base, n in factor.powers.items()}
+        left.append(g.mul(sign, Factor(factor.number / shared.number, powers).node(g)))
+    return shared.node(g), left
+
+
 def list_terms(graph: Graph, node: Node, whole: Collection[Node] = ()) -> list[Node]:
     """The terms of a sum with their signs, from left to right; sums in ``whole`` are terms themselves, and zero has none."""
     g, found = graph, list[Node]()

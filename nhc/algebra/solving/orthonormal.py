@@ -11,12 +11,11 @@ from itertools import combinations_with_replacement
 
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.parts import Factor, common, split_parameters
+from nhc.algebra.parts import take_out_common
 from nhc.algebra.probe import probe_of
 from nhc.algebra.rewriting.angles import normalise_angles
 
 _TERMS = 120
-_ALL = -1  # the mask of all symbols
 _NEAR = 1e-9
 """How far a product of two rows may be from 0 or 1 at a point, in doubles, to be looked at exactly."""
 
@@ -30,7 +29,7 @@ def solve_orthonormal(
     if not _seem_orthogonal(graph, block):
         return None
     short = [[normalise_angles(graph, x, _TERMS) for x in row] for row in block]
-    rows, factors = _without_factors(graph, short)
+    factors, rows = zip(*(take_out_common(graph, row) for row in short), strict=True)
     if not _is_orthonormal(graph, rows):
         return None
     determinant = graph.product(factors)
@@ -63,21 +62,6 @@ def _is_orthonormal(graph: Graph, block: Sequence[Sequence[Node]]) -> bool:
             return False
     dots = (g.dot(block[i], block[j]) for i, j in pairs)
     return all(are_zero(g, [g.sub(dot, g.one) if i == j else dot for dot, (i, j) in zip(dots, pairs, strict=True)]))
-
-
-def _without_factors(graph: Graph, block: Sequence[Sequence[Node]]) -> tuple[list[list[Node]], list[Node]]:
-    """The rows without the factors that all their entries have, and these."""
-    rows, factors = list[list[Node]](), list[Node]()
-    for row in block:
-        split = [split_parameters(graph, x, _ALL) for x in row]
-        shared = common([factor for factor, sign in split if sign != graph.zero])
-        made = []
-        for factor, sign in split:
-            powers = {base: n - shared.powers.get(base, 0) for base, n in factor.powers.items()}
-            made.append(graph.mul(sign, Factor(factor.number / shared.number, powers).node(graph)))
-        rows.append(made)
-        factors.append(shared.node(graph))
-    return rows, factors
 
 
 def _solve_transposed(

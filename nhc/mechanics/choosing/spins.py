@@ -6,11 +6,9 @@ place, a x b . omega completes them: it belongs to the direction in which neithe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from nhc.algebra.calculus import gradient
-from nhc.algebra.graph import Graph, Node
-from nhc.algebra.parts import Factor, common, split_parameters
+from nhc.algebra.graph import Node
+from nhc.algebra.parts import take_out_common
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.mechanics.choosing.minors import unused_name
@@ -20,8 +18,6 @@ from nhc.mechanics.rotations.turns import cross
 from nhc.mechanics.system import Form, System
 
 _TERMS = 120
-_ALL = -1
-"""The mask of all symbols."""
 
 
 def spins(system: System) -> list[Form]:
@@ -37,8 +33,11 @@ def spins(system: System) -> list[Form]:
             continue
         first, second = (row[k] for row in rows)
         across = cross(g, (first[0], first[1], first[2]), (second[0], second[1], second[2]))
-        normal = _without_factor(g, [normalise_angles(g, x, _TERMS) for x in across])
-        if g.depends(g.sum(normal), g.mask([system.q[place] for place in rotation.places])):
+        _, normal = take_out_common(g, [normalise_angles(g, x, _TERMS) for x in across])
+        signs = [g.split_coefficient(x)[0] for x in normal if x != g.zero]
+        normal = [g.neg(x) for x in normal] if 2 * sum(sign < 0 for sign in signs) > len(signs) else normal
+        turned = g.mask([system.q[place] for place in rotation.places])
+        if any(g.depends(x, turned) for x in normal):
             continue
         value = g.dot(normal, [form_value(system, by_name[w]) for w in written.velocities])
         names.append(unused_name(system, names))
@@ -54,17 +53,3 @@ def _angular_rows(system: System) -> list[list[list[Node]]]:
     rows = substitute(g, [form_value(system, form) for form in system.constraints], on_base)
     turning = [[unknowns[k] for k in rotation.places[1:]] for rotation in system.rotations]
     return [[gradient(g, row, own) for own in turning] for row in rows]
-
-
-def _without_factor(graph: Graph, vector: Sequence[Node]) -> list[Node]:
-    """The vector without the factors that all of its components have, most of them without a minus sign in front."""
-    g = graph
-    split = [split_parameters(g, x, _ALL) for x in vector]
-    shared = common([factor for factor, sign in split if sign != g.zero])
-    negative = 2 * sum(g.value(sign) == -1 for _, sign in split) > sum(sign != g.zero for _, sign in split)
-    made = []
-    for factor, sign in split:
-        powers = {base: n - shared.powers.get(base, 0) for base, n in factor.powers.items()}
-        left = Factor(factor.number / shared.number, powers).node(g)
-        made.append(g.mul(g.neg(sign) if negative else sign, left))
-    return made
