@@ -12,6 +12,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
 from nhc.study.linearization.linearize import eigenvalues
 from nhc.study.linearization.motion import Findings, Request
+from tests.numeric.test_spins import text_of
 
 CYLINDER = """
 nhc: 1
@@ -72,6 +73,16 @@ def test_all_that_was_given_stays_where_there_is_such_a_motion() -> None:
     assert rest[:5] == [0.0, 1.0, 0.0, 0.0, 0.0] and rest[6] == 0.0
     model = find(BOWL, "rho=1, phi'=2.6")
     assert model.linearisation.steady.turning is not None and not model.lost
+
+
+def test_a_rate_of_what_stays_was_a_disturbance() -> None:
+    """A ball goes around in a cone at any distance from its tip, if its spin is right: the distance that was given is kept."""
+    plain, disturbed = (find(text_of("cone"), about) for about in ("s=1, phi'=2", "s=1, s'=0.05, phi'=2"))
+    for found in (plain, disturbed):
+        s, *_, spin, away, around = found.linearisation.steady.y
+        assert (s, around) == (1.0, 2.0) and abs(away) < 1e-15
+        assert spin == pytest.approx(plain.linearisation.steady.y[-3], rel=1e-9)
+    assert not plain.lost and any("s'" in text for text in disturbed.lost)
 
 
 def test_an_orientation_that_nothing_needs_is_not_integrated() -> None:

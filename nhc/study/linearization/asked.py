@@ -50,6 +50,10 @@ def find_asked(
     whole = (*holds, *(hold for _, hold in asked), *places)
     given = bool(asked and places) and not any(entry in declared for entry, _ in asked)
     found = _find(model, guess, whole) if given else None
+    if found is None and given:  # a coordinate that stays has no rate: that one was a disturbance
+        still = {place.name for place in places}
+        calm = [hold for entry, hold in asked if entry.kind != "velocity" or entry.name not in still]
+        found = _find(model, guess, (*holds, *calm, *places)) if 0 < len(calm) < len(asked) else None
     if found is not None:
         return _as_given(model, guess, found)
     try:
