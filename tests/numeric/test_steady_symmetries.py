@@ -161,12 +161,19 @@ def test_multipliers_find_the_sleeping_top_by_the_rates_of_its_quaternion() -> N
 
 
 def test_angular_velocities_in_space_turn_with_the_body_that_goes_round() -> None:
-    """The ball in the cylinder of test_linearize without quasi-velocities that go along: wx and wy turn with phi."""
-    text = IN_A_CYLINDER.split("quasi_velocities")[0]
+    """The ball in the cylinder of test_linearize where the spec keeps its angular velocity: wx and wy turn with phi.
+
+    Else the spin about the normal is kept, and nothing turns with phi.
+    """
+    bare = IN_A_CYLINDER.split("quasi_velocities")[0]
+    text = f"{bare}quasi_velocities: {{p: wx, q: wy, r: wz}}\n"
     found = find(text, "phi'=3")
     pair = cmath.sqrt(-2 / 7) * 3
     assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
     assert along(found) == pytest.approx({("phi",): 3.0, ("wx", "wy"): 3.0})
+    spun = find(bare, "phi'=3")
+    assert matches(eigenvalues(spun.linearisation), [pair, -pair], 1e-9)
+    assert along(spun) == {} and state(spun)["phi'"] == pytest.approx(3.0, rel=1e-12)
 
 
 def test_what_goes_along_is_said(capsys: pytest.CaptureFixture[str]) -> None:
