@@ -68,6 +68,10 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
         fewer = "fewer quasi-velocities than there are free velocities" if system.quasi else "no quasi-velocities"
         sheet.say(f"The spec gives {fewer}; nhc has completed the coframe with {names}.")
     known = {form.name for form in frame.forms}
+    values = _by_angular_velocities(desk, frame, known)
+    if values:
+        sheet.say("In the angular velocities, which are not part of it, its velocities are")
+        sheet.add(*values)
     basis = [Mark(name, prefix="d") for name in system.q_names] + [Mark("t", prefix="d")]
     written: list[Draft] = []
     for j, form in enumerate(frame.forms):
@@ -86,6 +90,16 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
     _inverse(desk, frame, sheet)
     _structure(desk, frame, sheet)
     return sheet
+
+
+def _by_angular_velocities(desk: Desk, frame: Frame, known: set[str]) -> list[Draft]:
+    """Velocities made of angular ones whose forms are not in the coframe: as forms they are written in the rates of quaternions."""
+    named = {name for declared in desk.system.spec.rotations for name in declared.velocities}
+    if known >= named:
+        return []
+    free = zip(frame.free, frame.forms[desk.system.l :], strict=True)
+    made = [(desk.mark(w), desk.velocity_form(form)) for w, form in free if form.name not in named]
+    return [Draft(desk.name(left), right) for left, right in made if right is not None]
 
 
 def _inverse(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:
