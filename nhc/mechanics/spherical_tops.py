@@ -231,15 +231,17 @@ def _by_places(
     values = substitute(g, [form_value(made, form) for form in forms], on_there, named=False)
     still = dict.fromkeys(there.frame.free, g.zero)
     drift = [total_derivative(made, value, there.frame.kinematics, still) for value in values]
-    by_u = moving(made, frame.kinematics)
-    back = substitute(g, [form_value(made, form) for form in kept], by_u)
+    turned = dict[int, Node]()
     for top in tops:
-        turned = top.there.turning(g, [frame.kinematics[k] for k in top.there.places])[1:]
+        omega = top.there.turning(g, [frame.kinematics[k] for k in top.there.places])[1:]
         for place, column in zip(top.kept, zip(*top.own.matrix, strict=True), strict=True):
-            back[place] = g.dot(column, turned)
+            turned[place] = g.dot(column, omega)
+    others = [k for k in range(len(kept)) if k not in turned]
+    straight = substitute(g, [form_value(made, kept[k]) for k in others], moving(made, frame.kinematics))
+    back = turned | dict(zip(others, straight, strict=True))
     flat = substitute(g, [*values, *drift], there.values)
-    count = len(forms)
-    return Detour(inner, frame, dict(zip(frame.free, flat[:count], strict=True)), tuple(flat[count:]), tuple(back))
+    by_state, own_drift = dict(zip(frame.free, flat[: len(forms)], strict=True)), tuple(flat[len(forms) :])
+    return Detour(inner, frame, by_state, own_drift, tuple(back[k] for k in range(len(kept))))
 
 
 def _names(system: System, top: _Top) -> tuple[str, ...]:

@@ -16,6 +16,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import describe_added, kept_forms
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
+from nhc.pipeline import derive
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
 from tests.numeric.test_squares import operations, program_of
@@ -163,3 +164,17 @@ def test_no_velocities_are_taken_that_fail_where_the_others_did_not() -> None:
     """Of a ball on a ball X', Y' and the rates of the contact's angles leave no digits at the equator; angular velocities do."""
     system = system_of((BAD / "quasi_at_the_pole.yaml").read_text(encoding="utf-8"))
     assert [form.name for form in kept_forms(system, formulate(system).frame)] == ["a1", "a2", "a3", "b1", "b2", "b3"]
+
+
+def test_a_velocity_of_the_spec_s_own_comes_first_and_is_not_called_added() -> None:
+    system = system_of(text_of("cone").replace("T: ", 'quasi_velocities: {us: "s\'"}\nT: ', 1))
+    formulation = formulate(system)
+    assert [form.name for form in kept_forms(system, formulation.frame)] == ["us", "v", "phi"]
+    assert formulation.added == ("v", "phi'")
+
+
+def test_a_derivation_says_what_the_spin_is_made_of() -> None:
+    """Its form is written in the rates of the quaternion, since the angular velocities are not part of the coframe."""
+    shown = derive(Source("ball.yaml", text_of("cone")))
+    (line,) = (line for line in shown.splitlines() if line.startswith("  v = "))
+    assert line == "  v = cos(phi)*cos(al) wx + sin(phi)*cos(al) wy - sin(al) wz"

@@ -224,16 +224,16 @@ def with_places(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -
         return best
     pools = _turning_pools(system, every)
     free = [form for form in pools[0][: -system.n] if form.name in system.q_names]
-    first = [own for own in ([*free, *spins(system)], free) if own]
+    spun = spins(system)
+    first = [own for own in ([*free, *spun], free) if own]
     made = [_extend(system, forms, system.n - system.l, [*own, *pool]) for own in first for pool in pools]
-    least, simplest = _least_at_starts(system, best), _moving_entries(system, best)
-    for trial in _in_one_order(made, [*forms, *pools[0]]):
+    least, simplest = min(_least_at_starts(system, best), _WEAK**system.l), _moving_entries(system, best)
+    weak = weak_factors(system, best)
+    for trial in _in_one_order(made, [*spun, *pools[0]]):
         if {form.name for form in trial} == {form.name for form in best}:
             continue
         entries = _moving_entries(system, trial)
-        if not entries < simplest or _least_at_starts(system, trial) < min(least, _WEAK**system.l):
-            continue
-        if weak_factors(system, trial) <= weak_factors(system, best):
+        if entries < simplest and _least_at_starts(system, trial) >= least and weak_factors(system, trial) <= weak:
             best, simplest = trial, entries
     return best
 

@@ -6,14 +6,11 @@ place, a x b . omega completes them: it belongs to the direction in which neithe
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import gradient
-from nhc.algebra.graph import Node
 from nhc.algebra.parts import take_out_common
-from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.mechanics.choosing.minors import unused_name
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.rotations.turning import from_base, moving
+from nhc.mechanics.rotations.turning import rows_in_base
 from nhc.mechanics.rotations.turns import cross
 from nhc.mechanics.system import Form, System
 
@@ -23,7 +20,8 @@ _TERMS = 120
 def spins(system: System) -> list[Form]:
     """One form for each rotation that two rows hold, which hold no other, if these do not see how it has turned."""
     g, found, names = system.graph, list[Form](), list[str]()
-    held = _angular_rows(system)
+    base = rows_in_base(system, system.constraints)
+    held = [[[row[k] for k in rotation.places[1:]] for rotation in system.rotations] for row in base]
     by_name = {form.name: form for form in system.quasi}
     for k, (rotation, written) in enumerate(zip(system.rotations, system.spec.rotations, strict=True)):
         rows = [row for row in held if any(x != g.zero for x in row[k])]
@@ -43,13 +41,3 @@ def spins(system: System) -> list[Form]:
         names.append(unused_name(system, names))
         found.append(Form.written(names[-1], value, g, system.v, ""))
     return found
-
-
-def _angular_rows(system: System) -> list[list[list[Node]]]:
-    """Of each constraint, by rotation, the coefficients of the angular velocity."""
-    g = system.graph
-    unknowns = [g.symbol(name, "unknown") for name in system.q_names]
-    on_base = moving(system, from_base(system, unknowns, system.rotations))
-    rows = substitute(g, [form_value(system, form) for form in system.constraints], on_base)
-    turning = [[unknowns[k] for k in rotation.places[1:]] for rotation in system.rotations]
-    return [[gradient(g, row, own) for own in turning] for row in rows]
