@@ -44,8 +44,13 @@ def count_weak(system: System, free: Sequence[Form]) -> int:
 
 def weak_factors(system: System, free: Sequence[Form]) -> set[Node]:
     """The factors of these pivots that may vanish."""
+    return find_weak_factors(system, _list_weak(system, free))
+
+
+def find_weak_factors(system: System, nodes: Sequence[Node]) -> set[Node]:
+    """The factors of nodes that may vanish."""
     g, known = system.graph, intervals(system)
-    factors = {base for pivot in _list_weak(system, free) for base in split_powers(g, pivot)[1]}
+    factors = {base for node in nodes for base in split_powers(g, node)[1]}
     return {base for base in factors if not cannot_vanish(g, base, known)}
 
 

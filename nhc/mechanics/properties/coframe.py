@@ -13,8 +13,9 @@ from nhc.algebra.solving.determinants import in_determinants
 from nhc.diagnostics import Bag
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.choosing.independence import independence
+from nhc.mechanics.choosing.orders import find_weak_factors
 from nhc.mechanics.properties.named import entry_text
-from nhc.mechanics.properties.singular import never_changes
+from nhc.mechanics.properties.singular import find_lost_factors, never_changes
 from nhc.mechanics.properties.zeros import never_vanishes, where_zero
 from nhc.mechanics.regular.regularity import Choice
 from nhc.mechanics.regular.trials import ordinary_points, trial_points
@@ -47,12 +48,16 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
     if formulation.frame is None or not system.quasi:
         return
     _warn_of_lost_digits(system, formulation.frame.forms[system.l :], bag)
+    lost = find_lost_factors(system)
     for guard, _ in in_determinants(system.graph, formulation.frame.guards, find_eliminated(system.graph)):
         if never_vanishes(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
             continue
         if not _meets_equations(system, guard):
             continue
         where = where_zero(system, guard, "`", entry_text(system, guard))
+        if find_weak_factors(system, [guard]) <= lost:
+            _warn_of_dependent_rows(system, where_zero(system, system.graph.product(sorted(lost)), "`"), bag)
+            continue
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
@@ -61,6 +66,16 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
             system.spec.key_span("quasi_velocities" if own else "rotation"),
             help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
+
+
+def _warn_of_dependent_rows(system: System, where: str, bag: Bag) -> None:
+    """Rows that say less somewhere, as two components in space of what lies in a tangent plane: no velocities complete them there."""
+    bag.warning(
+        "W0408",
+        f"the constraints depend on each other where {where}, and no quasi-velocities are regular there",
+        system.spec.key_span("constraints"),
+        help=("write the same condition by other components, which stay independent there, or keep away from it",),
+    )
 
 
 def warn_of_dependent(system: System, choice: Choice, bag: Bag) -> None:

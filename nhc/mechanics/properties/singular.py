@@ -80,6 +80,13 @@ def _find_rank_loss(system: System) -> RankLoss:
     return RankLoss(False, (shared,) if cannot_vanish_together(g, rest, known) else tuple(kept))
 
 
+def find_lost_factors(system: System) -> frozenset[Node]:
+    """The factors whose zeros are all the places where the rank is lost; none where it is lost otherwise, or where nobody knows."""
+    loss = find_rank_loss(system)
+    alone = loss.regular is False and len(loss.minors) == 1
+    return frozenset(_factors(system.graph, loss.minors[0])) if alone else frozenset()
+
+
 def find_vanishing_factors(system: System) -> list[Node]:
     """What all coefficients of one constraint share and what may vanish, without powers: there it says nothing.
 
