@@ -52,7 +52,8 @@ def find_positions(system: System, forms: Sequence[Node]) -> None:
 def position_of(system: System, form: Node) -> Node | None:
     """What the form would be the rate of, if it is exact; None where it holds other terms than those above.
 
-    What turns with the first coordinates comes first, as the links of a chain do.
+    What turns with the first coordinates comes first, as the links of a chain do, and on one body the arm of the first parameters: the
+    components of a vector then have their arms in one order.
     """
     g, symbols = system.graph, (*system.q, system.t)
     found, place, done = list[Node](), g.zero, 0
@@ -67,10 +68,16 @@ def position_of(system: System, form: Node) -> Node | None:
                 found.append(g.mul_number(c, term))
             place = g.sum(found)
             done |= g.deps[symbol]
-        return g.sum(
-            sorted(found, key=lambda term: [k for k, x in enumerate(symbols) if g.depends(term, g.deps[x])][-1])
-        )
+        return g.sum(sorted(found, key=lambda term: _rank(system, term)))
     return None
+
+
+def _rank(system: System, term: Node) -> tuple[object, ...]:
+    """The last coordinate of a term, its parameters, its number."""
+    g, symbols = system.graph, (*system.q, system.t)
+    factor, _ = split_parameters(g, term, g.mask(system.p))
+    last = max(k for k, x in enumerate(symbols) if g.depends(term, g.deps[x]))
+    return last, sorted(factor.powers.items()), factor.number
 
 
 def _integral(graph: Graph, monomial: Monomial, symbol: Node) -> Node | None:

@@ -10,6 +10,7 @@ from nhc.algebra.graph import NEG, SYM, Graph, Node
 from nhc.algebra.parts import list_terms
 from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.energies.kinetic import Kinetic
+from nhc.mechanics.energies.positions import find_positions
 from nhc.mechanics.moving.axes import Setting
 from nhc.mechanics.moving.vectors import Chained
 from nhc.mechanics.rotations.directions import Sided, along_direction
@@ -20,7 +21,8 @@ from nhc.mechanics.system import System
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
     """Pairs and triples of exact velocity forms that stand in T as h/2 (u_i^2 + u_j^2 + u_k^2) and nowhere else.
 
-    Forms that are not exact, such as components on a body's own axes, are no components on axes that stand still.
+    Forms that are not exact, such as components on a body's own axes, are no components on axes that stand still.  Exact ones that the
+    spec wrote as velocities get their positions: in whatever order it has them, they are then one vector with those of coordinates.
     """
     g = system.graph
     coordinates = g.mask(system.q)
@@ -32,6 +34,7 @@ def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
             k
         ):  # else it was written in another way
             by_factor.setdefault(factor, []).append(k)
+    find_positions(system, [kinetic.atoms[k] for members in by_factor.values() if len(members) > 1 for k in members])
     for members in by_factor.values():
         reach = {k: g.deps[kinetic.atoms[k]] & coordinates for k in members}
         groups += _pair(members, reach)
