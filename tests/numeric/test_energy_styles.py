@@ -55,6 +55,38 @@ parameters: {A: 0.3, B: 0.4, C: 0.5, w: 2}
 T: A/2*(a'*sin(b)*sin(c) + b'*cos(c))^2 + B/2*(a'*sin(b)*cos(c) - b'*sin(c))^2 + C/2*(c' + a'*cos(b))^2
 V: w*cos(b)
 """,
+    # an arm of three links, its coordinates from the hand to the shoulder
+    "arm": """
+coordinates: [q3, q2, q1]
+parameters: {g: 9.81, m: 0.8, l: 0.8, c: 0.2, I: 0.1, M: 1.2, L: 0.6, d: 0.3, J: 0.2, n: 1.4, e: 0.3, K: 0.3}
+define:
+  ax: (l - c)*sin(q1)
+  ay: -(l - c)*cos(q1)
+  bx: l*sin(q1) + d*sin(q1 + q2)
+  by: -l*cos(q1) - d*cos(q1 + q2)
+  cx: l*sin(q1) + L*sin(q1 + q2) + e*sin(q1 + q2 + q3)
+  cy: -l*cos(q1) - L*cos(q1 + q2) - e*cos(q1 + q2 + q3)
+T: >-
+  m/2*(ax'^2 + ay'^2) + M/2*(bx'^2 + by'^2) + n/2*(cx'^2 + cy'^2)
+  + I/2*q1'^2 + J/2*(q1' + q2')^2 + K/2*(q1' + q2' + q3')^2
+V: m*g*ay + M*g*by + n*g*cy
+""",
+    # a tree by its joints
+    "tree": """
+coordinates: [q1, q2, q3, q4]
+parameters: {m: 0.7, n: 0.4, M: 1, l: 0.6, r: 0.5, h: 0.3, g: 9.81}
+define:
+  ax: l*sin(q1)
+  ay: -l*cos(q1)
+  bx: ax + r*sin(q1 + q2)
+  by: ay - r*cos(q1 + q2)
+  cx: ax + h*sin(q1 + q3)
+  cy: ay - h*cos(q1 + q3)
+  dx: cx + r*sin(q1 + q3 + q4)
+  dy: cy - r*cos(q1 + q3 + q4)
+T: m/2*(ax'^2 + ay'^2) + n/2*(bx'^2 + by'^2) + M/2*(cx'^2 + cy'^2) + m/2*(dx'^2 + dy'^2)
+V: m*g*ay + n*g*by + M*g*cy + m*g*dy
+""",
     # the trailer's mass stands between its axle and its hitch
     "trailer": """
 coordinates: [x, y, a, b]
@@ -135,6 +167,51 @@ def test_a_point_that_several_velocities_move_at_right_angles(way: str) -> None:
     )
     y = [0.3 + 0.1 * k for k in range(len(first.STATE))]
     assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-10, abs=1e-10)
+
+
+@pytest.mark.parametrize("name", ["arm", "tree"])
+def test_numbers_cost_no_more_than_parameters(name: str) -> None:
+    """What a number stands before tells no longer which mass it is of."""
+    text = text_of(name)
+    values = {k: v for k, v in re.findall(r"(\w+): ([\d.]+)", text.partition("parameters")[2].partition("}")[0])}
+    head, tail = re.sub(r"(?m)^parameters.*\n", "", text).split("define:")
+    put_in = re.sub(r"(?<![\w'])[a-zA-Z]\w*(?=[*/) ])", lambda m: values.get(m[0], m[0]), tail)
+    plain, numbers = program_of(system_of(text)), program_of(system_of(f"{head}define:{put_in}"))
+    assert not numbers.parameters
+    assert operations(numbers) <= operations(plain)
+    first, second = (
+        python_model(render(made, "python", EmitOptions())[f"{name}.py"], name) for made in (plain, numbers)
+    )
+    y = [0.3 + 0.1 * k for k in range(len(first.STATE))]
+    assert second.rhs(0.0, y) == pytest.approx(first.rhs(0.0, y), rel=1e-10, abs=1e-10)
+
+
+ORDERS = {
+    "y first": ("(y' - f*cos(b)*b' + h*sin(b)*b')", "(x' + f*sin(b)*b' + h*cos(b)*b')"),
+    "mixed": ("(b'*sin(b)*h - f*cos(b)*b' + y')", "(b'*f*sin(b) + h*cos(b)*b' + x')"),
+    "the rate outside": ("(b'*(sin(b)*h - f*cos(b)) + y')", "(x' + b'*(f*sin(b) + h*cos(b)))"),
+}
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_the_order_of_velocities_does_not_matter(order: str) -> None:
+    """Components of one velocity are found in whatever order they and their terms stand."""
+    text = """nhc: 1
+system: skew
+coordinates: [x, y, a, b]
+parameters: {m: 1.3, n: 0.7, I: 0.3, J: 0.2, e: 0.2, f: 0.55, h: 0.1, l: 0.9}
+T: n/2*FIRST^2 + m/2*((x' - a'*sin(a)*e)^2 + (y' + a'*cos(a)*e)^2) + n/2*SECOND^2 + I/2*a'^2 + J/2*b'^2
+constraints:
+  - y'*cos(a) - x'*sin(a) = 0
+  - (y' - l*cos(b)*b')*cos(b) - (x' + l*sin(b)*b')*sin(b) = 0
+"""
+    first, second = ORDERS[order]
+    wanted = "(x' + f*sin(b)*b' + h*cos(b)*b')", "(y' - f*cos(b)*b' + h*sin(b)*b')"
+    plain, other = (
+        program_of(system_of(text.replace("FIRST", one).replace("SECOND", two)))
+        for one, two in (wanted, (first, second))
+    )
+    assert operations(other) == operations(plain)
 
 
 def test_the_order_of_terms_does_not_matter() -> None:

@@ -73,6 +73,21 @@ def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     return substitute(graph, roots, new) if new else list(roots)
 
 
+def count_angles(graph: Graph, roots: Sequence[Node]) -> tuple[int, int]:
+    """Angles whose sines and cosines will be called, and those that will come from these."""
+    needed = {graph.a[node] for node in reachable(graph, roots) if graph.op[node] in _BOTH}
+    if not 2 <= len(needed) <= _ALL or "related angles" in graph.off:
+        return len(needed), 0
+    vectors = [_split(graph, node) for node in needed]
+    if _are_independent(vectors):
+        return len(needed), 0
+    known: dict[Angle, None] = {}
+    for vector in sorted(vectors, key=_size):
+        if _find_terms(known, vector) is None:
+            known[vector] = None
+    return len(known), len(needed) - len(known)
+
+
 def _list_phases(graph: Graph, vectors: Iterable[Angle]) -> list[Node]:
     """Numbers by which angles differ: their sines and cosines are numbers, too."""
     groups: dict[Angle, list[Fraction]] = {}

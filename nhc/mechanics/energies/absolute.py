@@ -7,18 +7,26 @@ are looked for (:mod:`nhc.mechanics.energies.squares`).  The coordinates' own sy
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
+from functools import reduce
 from itertools import pairwise
+from operator import or_
 
-from nhc.algebra.calculus import derivative
+from nhc.algebra.calculus import derivative, gradient
 from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.expand import TooLarge
 from nhc.algebra.graph import ADD, Graph, Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.polynomial import normalise, polynomial
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.energies.angles import are_products
+from nhc.mechanics.energies.entries import TERMS
 from nhc.mechanics.energies.squares import squares_of
 from nhc.mechanics.system import System
+
+_Parents = dict[int, int]
+"""The joint before a joint, by their places among the coordinates."""
 
 
 def complete_squares(system: System, *, longer: bool = False) -> Node | None:
@@ -43,15 +51,47 @@ def _by_links(system: System) -> Iterator[tuple[System, dict[Node, Node]]]:
 
     The first joint turns all of the arm: T may not show it, and then it is the coordinate before the others.
     """
-    g, joints = system.graph, _list_joints(system)
-    for begin in dict.fromkeys((max(joints[0] - 1, 0), joints[0])) if joints else ():
-        chain = [begin, *(k for k in joints if k != begin)]
+    g, joints, done = system.graph, _list_joints(system), list[_Parents]()
+    for begin in (max(joints[0] - 1, 0), joints[0], None) if joints else ():
+        chain = [*([] if begin is None else [begin]), *(k for k in joints if k != begin)]
+        parents = _list_parents(system) if begin is None else {k: before for before, k in pairwise(chain)}
+        if not parents or parents in done:
+            continue
+        done.append(parents)
         apart, whole = dict[Node, Node](), dict[Node, Node]()
         for symbols in (system.q, system.v):
-            own = [symbols[k] for k in chain]
-            apart |= {x: g.sub(x, before) for before, x in pairwise(own)}
-            whole |= {x: g.sum(own[: k + 1]) for k, x in enumerate(own) if k}
+            apart |= {symbols[k]: g.sub(symbols[k], symbols[before]) for k, before in parents.items()}
+            whole |= {symbols[k]: g.sum(symbols[j] for j in _path(parents, k)) for k in parents}
         yield replace(system, T=_put(g, system.T, apart)), whole
+
+
+def _path(parents: _Parents, k: int) -> list[int]:
+    """The joints from the root to this one."""
+    found = [k]
+    while found[-1] in parents:
+        found.append(parents[found[-1]])
+    return found[::-1]
+
+
+def _list_parents(system: System) -> _Parents:
+    """The joint before each joint of a tree; none where T is of no tree by joints.
+
+    What a joint turns is seen by it as one body, whose inertia about the joint hangs on the angles of all joints behind and of no
+    others: on the diagonal of the matrix.
+    """
+    g, behind = system.graph, dict[int, set[int]]()
+    turned = reduce(or_, (g.deps[node] for node in reachable(g, [system.T]) if g.op[node] in ("sin", "cos")), 0)
+    joints = [k for k, q in enumerate(system.q) if g.deps[q] & turned]
+    with suppress(TooLarge):
+        for k, slope in enumerate(gradient(g, system.T, system.v)):
+            inertia = polynomial(g, derivative(g, slope, system.v[k]), TERMS)
+            seen = reduce(or_, (g.deps[f] for m in inertia for f, _ in m), 0)
+            behind[k] = {j for j in joints if g.deps[system.q[j]] & seen}
+    nested = all(j not in behind[j] and behind[j] < own for own in behind.values() for j in own if j in behind)
+    if len(behind) < system.n or not nested:
+        return {}
+    before = {j: [k for k in range(system.n) if j in behind[k]] for j in joints}
+    return {j: min(own, key=lambda k: len(behind[k])) for j, own in before.items() if own}
 
 
 def _list_joints(system: System) -> list[int]:

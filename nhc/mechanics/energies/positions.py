@@ -52,8 +52,8 @@ def find_positions(system: System, forms: Sequence[Node]) -> None:
 def position_of(system: System, form: Node) -> Node | None:
     """What the form would be the rate of, if it is exact; None where it holds other terms than those above.
 
-    What turns with the first coordinates comes first, as the links of a chain do, and on one body the arm of the first parameters: the
-    components of a vector then have their arms in one order.
+    What turns with the first coordinates comes first, as the links of a chain do, and on one body the arm of the first parameters:
+    the components of a vector then have their arms in one order.
     """
     g, symbols = system.graph, (*system.q, system.t)
     found, place, done = list[Node](), g.zero, 0

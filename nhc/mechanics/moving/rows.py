@@ -21,8 +21,9 @@ from nhc.mechanics.system import System
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
     """Pairs and triples of exact velocity forms that stand in T as h/2 (u_i^2 + u_j^2 + u_k^2) and nowhere else.
 
-    Forms that are not exact, such as components on a body's own axes, are no components on axes that stand still.  Exact ones that the
-    spec wrote as velocities get their positions: in whatever order it has them, they are then one vector with those of coordinates.
+    Forms that are not exact, such as components on a body's own axes, are no components on axes that stand still.  Exact ones that
+    the spec wrote as velocities get their positions: in whatever order it has them, they are then one vector with those of
+    coordinates.
     """
     g = system.graph
     coordinates = g.mask(system.q)

@@ -69,7 +69,7 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
 
 
 def _warn_of_dependent_rows(system: System, where: str, bag: Bag) -> None:
-    """Rows that say less somewhere, as two components in space of what lies in a tangent plane: no velocities complete them there."""
+    """Rows that say less somewhere, as two components in space of what lies in a tangent plane: nothing completes them there."""
     bag.warning(
         "W0408",
         f"the constraints depend on each other where {where}, and no quasi-velocities are regular there",

@@ -31,7 +31,7 @@ from nhc.mechanics.trees.sharing import Point
 from nhc.mechanics.trees.triples import list_squares, place_of
 from nhc.mechanics.trees.velocities import STILL, Variables, Velocities
 from nhc.mechanics.trees.views import Turned, Views, list_views
-from nhc.mechanics.trees.weight import Weighed, field_of, weigh
+from nhc.mechanics.trees.weight import Weighed, field_of, on_points, weigh, weigh_together
 from nhc.records import fresh, structure
 
 _FEW = 3  # coordinates of what moves in another way than by turning
@@ -165,8 +165,12 @@ class Writer:
         self.graph: Graph = rates.graph
         self.frames, self.points, self.signs = frames, points, signs
         self._mask = self.graph.mask(self.system.p)
-        self.weighed = weigh(self.system, kinetic, coordinates=True)
-        self.field = field_of(kinetic, [components for components, _ in points], signs, self.weighed[2])
+        read = [components for components, _ in points]
+        self.weighed = on_points(self.graph, weigh(self.system, kinetic, coordinates=True), read)
+        self.field = field_of(kinetic, read, signs, self.weighed[2])
+        together = weigh_together(self.system, kinetic, read, signs) if self.field is None else None
+        if together is not None:
+            self.weighed, self.field = together, field_of(kinetic, read, signs, together[2])
         self.inside = {k for components, _ in points for k in components}
         self.angular: dict[int, tuple[Frame, Vector, Fraction]] = {}
         names = self._angular(_frames_of(point for _, point in points))

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import SYM, Graph, Node
+from nhc.algebra.rewriting.related import count_angles
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.energies.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
@@ -21,6 +22,8 @@ CHAINED = 4
 """Operations that the longer way from pivot to pivot of a tree is worth."""
 ANGLE = 30
 """Operations that a sine with its cosine takes the time of."""
+SUM = 6
+"""Operations of a sine and cosine by the addition theorems."""
 _BOTH = 12
 """Rates up to which a short start alone is no reason to look for no other recursion, and masses are compared by numbers."""
 _SHORT = 30
@@ -37,12 +40,9 @@ _ROUNDING = 1e-9  # of the diagonal, below which an entry of the mass matrix is 
 
 
 def work(graph: Graph, nodes: Sequence[Node]) -> int:
-    """Operations of the nodes; a sine and cosine of one angle are as many as ``ANGLE``."""
-    return count(graph, nodes) + ANGLE * _angles(graph, nodes)
-
-
-def _angles(graph: Graph, nodes: Sequence[Node]) -> int:
-    return len({graph.a[node] for node in reachable(graph, nodes) if graph.op[node] in ("sin", "cos")})
+    """Operations of the nodes; a sine and cosine of one angle are as many as ``ANGLE``, of a sum of others as many as ``SUM``."""
+    called, related = count_angles(graph, nodes)
+    return count(graph, nodes) + ANGLE * called + SUM * related
 
 
 def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = ()) -> Elimination | None:

@@ -38,7 +38,7 @@ def weigh(system: System, kinetic: Kinetic, *, coordinates: bool = False) -> Wei
             place, negative = g.a[place], not negative
         if place in present and (coordinates or place not in system.q):
             places[place] = k, negative
-    symbols = {place: g.symbol(f"place{k}", "held") for place, (k, _) in places.items()}
+    symbols = {place: _symbol(g, k) for place, (k, _) in places.items()}
     (potential,) = substitute(g, [own], symbols)
     meaning = {symbol: place for place, symbol in symbols.items()}
     slopes = substitute(g, gradient(g, potential, list(symbols.values())), meaning)
@@ -107,6 +107,52 @@ def _pull(g: Graph, potential: Polynomial, place: Polynomial, moving: int) -> No
     held = {part(m, moves=False): c for m, c in potential.items() if own and part(m, moves=True) == own}
     factor = divide(held, Fraction(place[first]), part(first, moves=False)) if held else None
     return to_node(g, factor) if factor else None
+
+
+def on_points(graph: Graph, weighed: Weighed, points: Iterable[Components]) -> Weighed:
+    """The same for the points alone: what pulls at other forms' positions, such as at an angle, stays in U as it is."""
+    g, (potential, meaning, weight) = graph, weighed
+    own = {k for components in points for k in components if k is not None}
+    left = {symbol: meaning[symbol] for k in weight if k not in own and (symbol := _symbol(g, k)) in meaning}
+    kept = {symbol: place for symbol, place in meaning.items() if symbol not in left}
+    return substitute(g, [potential], left)[0], kept, {k: force for k, force in weight.items() if k in own}
+
+
+def _symbol(graph: Graph, k: int) -> Node:
+    """Stands for the position whose rate form k is."""
+    return graph.symbol(f"place{k}", "held")
+
+
+def weigh_together(
+    system: System, kinetic: Kinetic, points: Sequence[Components], signs: dict[int, int]
+) -> Weighed | None:
+    """The same as :func:`weigh` gives for one field on all points, where the masses or places in U are numbers that no longer tell
+    which point a term is of: U holds g times the sum of m_k z_k for each axis.  None where it does not.
+    """
+    g, moving = system.graph, ~system.graph.mask(system.p)
+    axes = [[k for components in points if (k := components[axis]) is not None] for axis in range(3)]
+    if any(g.depends(kinetic.hessian[k][k], moving) for members in axes for k in members):
+        return None
+    symbols = {k: _symbol(g, k) for members in axes for k in members}
+    places = {k: place_of(g, kinetic.atoms[k])[0] for k in symbols}
+    weight, terms = dict[int, Node](), list[Node]()
+    try:
+        left = polynomial(g, system.U, _TERMS)
+        for members in axes:
+            moment = polynomial(g, g.sum(g.mul(kinetic.hessian[k][k], places[k]) for k in members), _TERMS)
+            pull = _pull(g, left, moment, moving)
+            if pull is None:
+                continue
+            for m, c in polynomial(g, g.mul(pull, to_node(g, moment)), _TERMS).items():
+                add_term(left, m, -c)
+            forces = {k: g.mul(pull, kinetic.hessian[k][k]) for k in members}
+            weight |= {k: g.scale(signs[k], force) for k, force in forces.items()}
+            terms += [g.mul(force, symbols[k]) for k, force in forces.items()]
+    except TooLarge:
+        return None
+    if not weight or any(g.deps[f] & moving for m in left for f, _ in m):
+        return None
+    return g.add(g.sum(terms), to_node(g, left)), {symbols[k]: places[k] for k in weight}, weight
 
 
 def field_of(
