@@ -127,11 +127,13 @@ def weigh_together(
     system: System, kinetic: Kinetic, points: Sequence[Components], signs: dict[int, int]
 ) -> Weighed | None:
     """The same as :func:`weigh` gives for one field on all points, where the masses or places in U are numbers that no longer tell
-    which point a term is of: U holds g times the sum of m_k z_k for each axis.  None where it does not.
+    which point a term is of: U holds g times the sum of m_k z_k for each axis, or most of it, beside other terms.  None where it
+    does not.
     """
     g, moving = system.graph, ~system.graph.mask(system.p)
     axes = [[k for components in points if (k := components[axis]) is not None] for axis in range(3)]
-    if any(g.depends(kinetic.hessian[k][k], moving) for members in axes for k in members):
+    masses = [kinetic.hessian[k][k] for members in axes for k in members]
+    if any(g.depends(mass, moving) for mass in masses) or all(g.value(mass) is None for mass in masses):
         return None
     symbols = {k: _symbol(g, k) for members in axes for k in members}
     places = {k: place_of(g, kinetic.atoms[k])[0] for k in symbols}
@@ -140,19 +142,35 @@ def weigh_together(
         left = polynomial(g, system.U, _TERMS)
         for members in axes:
             moment = polynomial(g, g.sum(g.mul(kinetic.hessian[k][k], places[k]) for k in members), _TERMS)
-            pull = _pull(g, left, moment, moving)
-            if pull is None:
-                continue
-            for m, c in polynomial(g, g.mul(pull, to_node(g, moment)), _TERMS).items():
-                add_term(left, m, -c)
-            forces = {k: g.mul(pull, kinetic.hessian[k][k]) for k in members}
-            weight |= {k: g.scale(signs[k], force) for k, force in forces.items()}
-            terms += [g.mul(force, symbols[k]) for k, force in forces.items()]
+            pull, left = _pull_most(g, left, moment, moving)
+            if pull != g.zero:
+                forces = {k: g.mul(pull, kinetic.hessian[k][k]) for k in members}
+                weight |= {k: g.scale(signs[k], force) for k, force in forces.items()}
+                terms += [g.mul(force, symbols[k]) for k, force in forces.items()]
     except TooLarge:
         return None
-    if not weight or any(g.deps[f] & moving for m in left for f, _ in m):
+    if not weight:
         return None
     return g.add(g.sum(terms), to_node(g, left)), {symbols[k]: places[k] for k in weight}, weight
+
+
+def _pull_most(g: Graph, potential: Polynomial, moment: Polynomial, moving: int) -> tuple[Node, Polynomial]:
+    """The pull on a moment after which the fewest terms of the potential are left that move, and these; 0 where none gets less."""
+
+    def count(p: Polynomial) -> int:
+        return sum(any(g.deps[f] & moving for f, _ in m) for m in p)
+
+    best, least = g.zero, potential
+    for term in moment.items():
+        pull = _pull(g, potential, dict([term]), moving)
+        if pull is None:
+            continue
+        left = dict(potential)
+        for m, c in polynomial(g, g.mul(pull, to_node(g, moment)), _TERMS).items():
+            add_term(left, m, -c)
+        if count(left) < count(least):
+            best, least = pull, left
+    return best, least
 
 
 def field_of(
