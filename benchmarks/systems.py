@@ -20,7 +20,7 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
     ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine``,
-    ``written_out_top``, ``written_out_arm<N>`` or ``flat_arm<N>``.
+    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>`` or ``spherical<N>``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -452,6 +452,31 @@ def _flat_arm(count: int, _: bool) -> str:
     return _arm_of_links(f"flat_arm{count}", count, sections)
 
 
+def _spherical(count: int, _: bool) -> str:
+    """Links in space by angles, each with its mass between its ends."""
+    links = range(1, count + 1)
+    define, kinetic, heights = list[str](), list[str](), list[str]()
+    for k in links:
+        turned = {"x": f"sin(a{k})*cos(b{k})", "y": f"sin(a{k})*sin(b{k})", "z": f"-cos(a{k})"}
+        for axis, unit in turned.items():
+            foot = f"{axis}{k - 1} + " if k > 1 else ""
+            define += [f"{axis}{k}: {foot}l{k}*({unit})", f"c{axis}{k}: {foot}s{k}*({unit})"]
+        kinetic.append(f"m{k}/2*(cx{k}'^2 + cy{k}'^2 + cz{k}'^2)")
+        heights.append(f"m{k}*g*cz{k}")
+    values = ", ".join(f"m{k}: {1 + k / 10}, l{k}: {0.5 + k / 10}, s{k}: {0.2 + k / 10}" for k in links)
+    return _assemble(
+        f"spherical{count}",
+        [
+            ("coordinates", f"[{', '.join(f'a{k}, b{k}' for k in links)}]"),
+            ("parameters", f"{{g: 9.81, {values}}}"),
+            ("define", define),
+            ("T", " + ".join(kinetic)),
+            ("V", " + ".join(heights)),
+            _scene("a1: 0.5, b1': 2"),
+        ],
+    )
+
+
 def _arm_of_links(name: str, count: int, sections: list[Section]) -> str:
     """Its joints q, masses m, moments of inertia I, lengths l and distances s of the centres from the joints."""
     links, gravity = range(1, count + 1), ["g: 9.81"] if any(key == "V" for key, _ in sections) else []
@@ -490,4 +515,5 @@ _FAMILIES = {
     "written_out_top": _written_out_top,
     "written_out_arm": _written_out_arm,
     "flat_arm": _flat_arm,
+    "spherical": _spherical,
 }

@@ -53,6 +53,7 @@ WHOLE = {
     "uniform motion": "belt_egg",
     "detours": "smooth_tippe_top",
     "directions": "flat_arm2",
+    "lone points": "spherical2",
     "spherical tops": "bowl",
     "order of pivots": "satellite3",
     "still pivots": "smooth_tippe_top",

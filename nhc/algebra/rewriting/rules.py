@@ -113,6 +113,11 @@ RULES = (
         "mechanics/invariant.py",
     ),
     Rule(
+        "lone points",
+        "a point in space on which no other stands has the squares of single velocities in place of those of its components",
+        "mechanics/lone_points.py",
+    ),
+    Rule(
         "spherical tops",
         "the angular velocity of a body with three equal moments of inertia is solved for in space, and brought back to its axes",
         "mechanics/spherical_tops.py",

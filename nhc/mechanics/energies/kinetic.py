@@ -130,7 +130,7 @@ def _forms_of(system: System, energy: Node) -> list[Node]:
 def energy_as_squares(system: System) -> Node:
     """T, or an equal sum of squares where it was multiplied out: where it has products of forms, and factors that move."""
     g = system.graph
-    memo: dict[Node, Node] = g.memory.setdefault("energy as squares", {})
+    memo = _squares(g)
     if system.T not in memo:
         memo[system.T] = system.T
         may, degree = not system.rotations and "completed squares" not in g.off, degrees(g, system.v)
@@ -140,6 +140,16 @@ def energy_as_squares(system: System) -> Node:
 
             memo[system.T] = complete_squares(system, longer=not written) or system.T
     return memo[system.T]
+
+
+def keep_as_written(graph: Graph, energy: Node) -> None:
+    """Let an energy be the sum of squares that it is: nothing in it is looked for."""
+    _squares(graph)[energy] = energy
+
+
+def _squares(graph: Graph) -> dict[Node, Node]:
+    found: dict[Node, Node] = graph.memory.setdefault("energy as squares", {})
+    return found
 
 
 def _has_products(graph: Graph, root: Node, degree: Sequence[int]) -> bool:

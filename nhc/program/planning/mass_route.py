@@ -14,6 +14,7 @@ from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.invariant import at_zero
+from nhc.mechanics.lone_points import by_single_velocities
 from nhc.mechanics.spherical_tops import find_in_space
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.trees import FEW
@@ -88,7 +89,7 @@ def mass_route(
         in_space = find_in_space(full, kept)
         detour = find_detour(full, kept) if not full.system.l or least <= _SHORT * size else None
         found += [_by(way, full, put_in) for way in (detour, *in_space) if way is not None]
-        found += _with_other_angles(full, put_in, kept)
+        found += _with_other_energies(full, put_in, kept)
         least = min(count(g, way.values) for way in found)
     bodies = _of_bodies(full, put_in) if least > _APART * size else None
     if len(found) == 1 and bodies is None:
@@ -102,21 +103,17 @@ def mass_route(
     return bodies if bodies is not None and _SHORTER * cost(bodies) < cost(best) else best
 
 
-def _with_other_angles(full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> list[MassRoute]:
-    """The dense way with T at zero of an angle that it does not depend on."""
+def _with_other_energies(full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> list[MassRoute]:
+    """The dense way with T at zero of an angle that it does not depend on, and with lone points by single velocities."""
     if full.tree is not None or full.motion.velocities != full.motion.w or full.motion.w != full.system.v:
         return []
-    system = at_zero(full.system)
-    if system is None:
-        return []
-    equations = equations_of(system, Formulation("lagrange", full.number, None, None, (), ""))
-    inner = mass_route(equations, equations, {}, kept, straight=True)
-    g = full.system.graph
-    return [
-        MassRoute(
-            substitute(g, inner.values, put_in), _in_pairs(g, inner.pivots, put_in), short=True, chained=inner.chained
-        )
-    ]
+    g, found = full.system.graph, list[MassRoute]()
+    for system in filter(None, (at_zero(full.system), by_single_velocities(full.system))):
+        equations = equations_of(system, Formulation("lagrange", full.number, None, None, (), ""))
+        inner = mass_route(equations, equations, {}, kept, straight=True)
+        values, pivots = substitute(g, inner.values, put_in), _in_pairs(g, inner.pivots, put_in)
+        found.append(MassRoute(values, pivots, short=True, chained=inner.chained))
+    return found
 
 
 def _along_held(
