@@ -264,16 +264,25 @@ class Lookout:
     dips: int
 
 
+CORNER = 0.0, 0.0
+"""Of an argument at whose zero steps end."""
+
+
 @record
 class Leaps:
     """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments.
 
-    ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much it always may; (0, 0): it has
-    a corner at zero.
+    ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much it always may; with no part it
+    has a corner at zero, at which steps end (``CORNER``) unless that is one of an angle.
     """
 
     function: Function
     parts: tuple[tuple[float, float], ...]
+
+    @property
+    def lands(self) -> bool:
+        """Whether steps end at some of its zeros."""
+        return CORNER in self.parts
 
 
 @record

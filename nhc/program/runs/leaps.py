@@ -19,7 +19,7 @@ from nhc.algebra.rebuilding import substitute
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.rotations.turning import moving
-from nhc.program.ir import Leaps
+from nhc.program.ir import CORNER, Leaps
 from nhc.program.planning.base import PlannerBase
 from nhc.program.runs.clock import CORNERS, HIGH, STEPS, list_reached
 
@@ -28,13 +28,14 @@ _STEEP = _GROWING | STEPS  # beyond their arguments' zeros they are known: 0, 1 
 _RELATIVE = frozenset({"sqrt", "powf", "log", POW})
 _LARGE = 1000  # operations beyond which an argument is not followed
 _MILD = 100.0  # how many times its least value an argument may be that has no narrow place
-_BEND = (0.0, 0.0)  # of a corner
+_TURN = 0.0, 1.0  # of the half turn at which an angle of two lengths jumps, on one side of its argument's zero
 _BOUNDED, _NOUGHT = 1e100, Fraction(1, 10**30)
 _FAR = 10**100  # from its special value: nothing comes of an argument beyond
 _PARTS = {
     **dict.fromkeys(_RELATIVE, (1.5, 0.0)),
     **dict.fromkeys((*STEPS, "cosh", "sinh"), (0.75, 1.0)),
-    **dict.fromkeys(CORNERS, _BEND),
+    **dict.fromkeys(CORNERS, CORNER),
+    "atan2": _TURN,
     "exp": (1.5, 2.0),
 }
 """The part of an argument by which it may change towards zero in a step, and by how much it always may.
@@ -113,7 +114,7 @@ def _is_plain(graph: Graph, node: Node, moved: tuple[Node, ...]) -> bool:
 
 def _is_mild(graph: Graph, node: Node, part: tuple[float, float], ranges: Mapping[Node, Interval]) -> bool:
     """Whether the argument comes nowhere near its special value."""
-    if part == _BEND:
+    if part[0] == 0.0:
         return cannot_vanish(graph, node, ranges)
     low, high = bounds(graph, node, ranges)
     if part[1] > 0.0:

@@ -28,6 +28,9 @@ class Limits:
     """Refusals in a row whose error a shorter step did not lessen; then entries near zero are held to 1e-6 of the largest only."""
     returns: int = 20
     """How often a run goes back because entries did not grow as a refused step foretold; then such forecasts are ignored."""
+    landings: int = 8
+    """Attempts in a row that are to end at a corner, half of them after one whose error was too large; after them the error alone
+    tells how long the next one is."""
     trust: float = 0.1
     """The error of a refused explicit step, relative to its end, up to which that end foretells how large entries become."""
     power: float = 24.0

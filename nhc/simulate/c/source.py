@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
-from nhc.program.ir import Beats, Function, Load, Program
+from nhc.program.ir import CORNER, Beats, Function, Load, Program
 from nhc.program.runs.hold import SINGULAR_HOLD, TORN_HOLD
 from nhc.program.runs.limits import LIMITS
 from nhc.program.runs.watch import WEAK
@@ -68,6 +68,7 @@ def write_source(
         **_describe_kernels(kernel, watching if lanes else None, len(program.state), methods),
         **_describe_watch(size(watch), events, dips, *frames),
         "parts": parts,
+        "lands": CORNER in parts,
         **_describe_beats(beats, functions, methods),
         "holds": tuple(holds),
         "needed": size(functions["needed"]),

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from itertools import pairwise
-from math import inf
+from math import copysign, inf
+from sys import float_info
 from typing import Protocol
 
+from nhc.program.ir import CORNER
+from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods.step import Model, Step
 from nhc.simulate.stepping.rounding import measure_rounding
 from nhc.simulate.task import Task
@@ -16,6 +20,7 @@ _LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE
 # of the step, between two corners: closer ones may lie between two stages; closer still, they are one
 _APART, _SAME = 0.5, 1e-9
 _FEW = 100.0  # times its rounding, what an argument is that is next to nothing
+_TIP = 1e-9  # of the step: what of it lies beyond a corner is as good as nothing
 
 
 class Placed(Model, Protocol):
@@ -27,24 +32,60 @@ class Placed(Model, Protocol):
     def places(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
 
-def find_most(step: Step, model: Placed, task: Task) -> float:
-    """How long the step after the one that was tried may be; 0 where that one leaps over something."""
+def find_most(step: Step, model: Placed, task: Task, error: float, landings: int) -> tuple[float, float]:
+    """How long the step after the one that was tried may be; 0 where that one leaps over something.  And the part of it at which
+    the next attempt is to end, at the first corner; 1 where it passes none, or was to end there ``landings`` times before.
+    """
     scale = max(abs(step.t), abs(task.times[-1] - task.times[0]))
     if not model.parts or task.step > 0 or abs(step.h) <= 1e-12 * scale:
-        return inf
+        return inf, 1.0
     try:
         looks = [_look(step, model, x) for x in _LOOKS]
+        ahead = model.places(step.t + _CLOSE * step.h, _along(step, _CLOSE * step.h), step.p)
     except ArithmeticError:
-        return inf
+        return inf, 1.0
     courses = [_Course(values, *part) for values, part in zip(zip(*looks, strict=True), model.parts, strict=True)]
-    most = _judge(step, model, courses)
-    if most == 0.0 and any(c.part == 0.0 for c in courses):  # it may be rounding that goes to and fro
+    for c, value in zip(courses, ahead, strict=True):
+        c.tangent = (value - c.u) / _CLOSE
+    wrong = error > 1.0
+    lands = landings < (LIMITS.landings // 2 if wrong else LIMITS.landings)
+    most = inf if wrong else _judge(step, model, courses)
+    passed = lands and any(c.find_corner(wrong) < 1.0 for c in courses)
+    if (most == 0.0 and any(c.part == 0.0 for c in courses)) or passed:  # it may be rounding that goes to and fro
         starts = [c.u for c in courses]
         noise = measure_rounding(lambda t, y: model.places(t, y, step.p), step.t, step.y, starts)
         for c, change in zip(courses, noise, strict=True):
             c.noise = change
-        most = _judge(step, model, courses)
-    return most
+        first = min(c.find_corner(wrong) for c in courses) if lands else 1.0
+        if first < 1.0:
+            return 0.0, first * (1.0 - 1e-12)  # not beyond it, where the last stages may see another force
+        most = _judge(step, model, courses) if most == 0.0 else most
+    return most, 1.0
+
+
+def hop(step: Step, model: Placed, next: float, bound: float) -> None:
+    """A step has ended where it was to, at a corner: if that is just ahead, beside the length of the next step, the run goes on
+    just behind it, where the slope may be another one, but not behind ``bound``.
+    """
+    h, length = 1e-3 * step.h, -1.0
+    try:
+        at = model.places(step.t, step.y, step.p)
+        ahead = model.places(step.t + h, _along(step, h), step.p)
+    except ArithmeticError:
+        return
+    for place, later, part in zip(at, ahead, model.parts, strict=True):
+        change = later - place
+        time = abs(h * place / change) if change else inf
+        if part == CORNER and place * change <= 0.0 and time < _TIP * next:
+            length = max(length, 2.0 * time)
+    length += 4.0 * float_info.epsilon * abs(step.t)
+    if length < 0.0 or length >= abs(bound - step.t):
+        return
+    moved = copysign(length, h)
+    y = [y + moved * f for y, f in zip(step.y, step.slope, strict=True)]
+    with suppress(ArithmeticError):
+        step.slope = step.rhs(step.t + moved, y)
+        step.t, step.y = step.t + moved, y
 
 
 def _judge(step: Step, model: Placed, courses: Sequence[_Course]) -> float:
@@ -87,12 +128,17 @@ def _look(step: Step, model: Placed, x: float) -> list[float]:
     return model.places(step.t + x * step.h, state, step.p)
 
 
+def _along(step: Step, time: float) -> list[float]:
+    """The state after a time, by the slope at the start alone."""
+    return [y + time * f for y, f in zip(step.y, step.slope, strict=True)]
+
+
 class _Course:
     """An argument over a step by Hermite's cubic: from u to v, by a at first and by b at last; its bends there."""
 
     def __init__(self, values: Sequence[float], part: float, least: float) -> None:
         u, after, later, third, middle, early, before, v = values
-        self.u, self.v, self.part, self.least, self.noise = u, v, part, least, 0.0
+        self.u, self.v, self.part, self.least, self.noise, self.tangent = u, v, part, least, 0.0, 0.0
         self.a = (4.0 * after - 3.0 * u - later) / (2.0 * _CLOSE)
         self.b = (3.0 * v - 4.0 * before + early) / (2.0 * _CLOSE)
         self.bend = abs(u - 2.0 * after + later) / _CLOSE**2
@@ -107,8 +153,9 @@ class _Course:
         return (self.part if self.v * self.b < 0.0 else 4.0 * self.part) * abs(self.v) + self.least
 
     def is_nothing(self) -> bool:
-        """Whether it is a corner's, and zero but for rounding at both ends: steps of every length see the same there."""
-        return self.part == 0.0 and max(abs(self.u), abs(self.v)) < _FEW * self.noise
+        """Whether it is a corner's, and zero but for rounding from end to end: steps of every length see the same there."""
+        largest = max(abs(self.u), abs(self.v), abs(self.find_between(0.5)), self.off)
+        return self.part == 0.0 and largest < _FEW * self.noise
 
     def is_fast(self) -> bool:
         """Whether the step is too long for it by what it does at its ends and in the middle."""
@@ -140,6 +187,23 @@ class _Course:
         """Its value at the part x of the step."""
         u, d = self.u, self.v - self.u
         return u + x * d + x * (1.0 - x) * ((1.0 - x) * (self.a - d) - x * (self.b - d))
+
+    def find_corner(self, wrong: bool) -> float:
+        """Where a corner's argument is zero for the first time that is seen, as a part of the step; 1 where it is not.
+
+        A step that has gone far beyond a corner may be all ``wrong``: then the slope at its start alone tells.
+        """
+        few, v, leaves = _FEW * self.noise, self.v, abs(self.u) <= _FEW * self.noise  # it begins at the corner
+        left, u = (1e-3, self.find_between(1e-3)) if leaves else (0.0, self.u)
+        if (self.part, self.least) != CORNER or (u * v < 0.0 and abs(v) <= few):
+            return 1.0
+        last = next(iter(self.find_turns()), 1.0) if u * v > 0.0 else 1.0  # it may go there and back
+        if last <= left or (u * v if last == 1.0 else u * self.find_between(last)) >= 0.0:
+            return 1.0
+        zero, line = _halve(self.find_between, left, last), -u / self.tangent if u * self.tangent < 0.0 else 1.0
+        if (zero < 0.5 * line or line < 0.9) if wrong else zero < 0.5 * line < 0.5:
+            zero = line
+        return zero if _TIP < zero < (1.0 if wrong else 1.0 - _TIP) else 1.0
 
     def find_zero(self) -> float:
         """The part of the step at which it is zero; its signs differ at the ends."""

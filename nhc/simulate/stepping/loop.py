@@ -4,26 +4,24 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Sequence
 from copy import copy
-from dataclasses import dataclass, field, replace
-from typing import Protocol
+from dataclasses import replace
 
 from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import NoSolution, Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
-from nhc.simulate.stepping.beating import Beating, find_turn
+from nhc.simulate.stepping.beating import find_turn
 from nhc.simulate.stepping.foretelling import expect_foretold, find_unmet, go_back, look_on
-from nhc.simulate.stepping.holding import Held, hold_end
+from nhc.simulate.stepping.holding import hold_end
 from nhc.simulate.stepping.inside import has_more_stages, is_wild
-from nhc.simulate.stepping.leaping import Placed, find_most
+from nhc.simulate.stepping.leaping import find_most, hop
 from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
 from nhc.simulate.stepping.rounding import is_faint, look_at_length, reconsider
+from nhc.simulate.stepping.state import LEAST_ERROR, Run, Watched
 from nhc.simulate.stepping.stops import cross, foresee, next_bound
 from nhc.simulate.stepping.watching import (
     MOST_HALVINGS,
-    Watching,
     approaches,
     find_change,
     find_event,
@@ -49,58 +47,13 @@ from nhc.simulate.task import (
 )
 
 _EPSILON = sys.float_info.epsilon
-_LEAST_ERROR = 1e-8  # explicit methods give the error's square
-
-
-class Watched(Placed, Beating, Held, Watching, Protocol):
-    """A model with values to watch."""
-
-    @property
-    def events(self) -> int: ...
-
-    @property
-    def watched(self) -> bool: ...
-
-    @property
-    def holds(self) -> Sequence[Sequence[str]]: ...
-
-
-@dataclass
-class _Run:
-    model: Watched
-    method: Tableau
-    task: Task
-    news: News
-    step: Step
-    states: list[list[float]]
-    steps: int = 0
-    rejected: int = 0
-    next: float = 0.0
-    growth: float = 0.0
-    former: float = _LEAST_ERROR
-    marked: int = 0
-    stalls: int = 0
-    stop: int = 0
-    most: float = math.inf
-    bound: float = 0.0
-    since: float = 0.0
-    back: _Run | None = None
-    before: list[float] = field(default_factory=list)
-    ends: list[float] = field(default_factory=list)
-    trend: list[float] = field(default_factory=list)
-    span: float = 0.0
-    halved: int = 0
-
-    def leave(self, kind: int, status: int = 0) -> Outcome:
-        s, counts = self.step, (self.steps, self.rejected, self.step.calls, self.step.jacobians)
-        return Outcome(kind, status, s.t, list(s.y), s.h, *counts, self.states, s.size, self.ends)
 
 
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
     step.size = [max(a, b) for a, b in zip(step.size, task.sizes or step.size, strict=True)]
-    run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
+    run = Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
     run.stop, run.bound = next_bound(task, step.t, 0)
     try:
         step.slope = step.rhs(step.t, step.y)
@@ -123,7 +76,7 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
             return done
 
 
-def _remember(run: _Run) -> None:
+def _remember(run: Run) -> None:
     """Before a step is taken that was held to foretold sizes: where the run goes back to if they are not reached."""
     s = run.step
     if not any(s.foretold):
@@ -133,7 +86,7 @@ def _remember(run: _Run) -> None:
     expect_foretold(s)
 
 
-def _goes_back(run: _Run, done: Outcome | None) -> bool:
+def _goes_back(run: Run, done: Outcome | None) -> bool:
     """Whether sizes to come that steps were held to have not come by their time, or before the run ends (``done``): then it goes on
     from the first of these steps.
     """
@@ -148,7 +101,7 @@ def _goes_back(run: _Run, done: Outcome | None) -> bool:
     return True
 
 
-def _plan(run: _Run) -> tuple[float, float] | None:
+def _plan(run: Run) -> tuple[float, float] | None:
     """(end of the next step, its length without sign); None where the step is too short to count."""
     task, s = run.task, run.step
     start, end = task.times[0], task.times[-1]
@@ -165,7 +118,7 @@ def _plan(run: _Run) -> tuple[float, float] | None:
     return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
 
 
-def _is_stalled(run: _Run) -> bool:
+def _is_stalled(run: Run) -> bool:
     """Whether the rest would take more steps than any run does, if they stay as short as the last: a motion slides along a jump."""
     tried, s = run.steps + run.rejected, run.step
     if run.task.step > 0 or tried - run.marked < LIMITS.stride:
@@ -177,7 +130,7 @@ def _is_stalled(run: _Run) -> bool:
     return run.stalls >= LIMITS.patience
 
 
-def _attempt(run: _Run, reach: float) -> tuple[float, int]:
+def _attempt(run: Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
     s = run.step
     try:
@@ -189,8 +142,11 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
         return math.nan, SINGULAR if s.status else UNDERFLOW
     if not all(map(math.isfinite, s.reached)):
         return math.nan, UNDERFLOW
-    if 0.0 <= error <= 1.0:
-        run.most = min(find_most(s, run.model, run.task), find_turn(s, run.model, run.task, run.method.turn))
+    run.landing = 1.0
+    if error >= 0.0:
+        run.most, run.landing = find_most(s, run.model, run.task, error, run.landings)
+    if 0.0 <= error <= 1.0 and run.landing == 1.0:
+        run.most = min(run.most, find_turn(s, run.model, run.task, run.method.turn))
         if run.most == 0.0:
             return math.nan, UNDERFLOW
     if 0.0 <= error <= 1.0 and run.model.holds and not hold_end(s, run.model, reach, run.steps == 0):
@@ -198,7 +154,7 @@ def _attempt(run: _Run, reach: float) -> tuple[float, int]:
     return error, UNDERFLOW
 
 
-def _measure_error(run: _Run) -> float:
+def _measure_error(run: Run) -> float:
     """That of an attempt, with what rounding allows where it may be rounding that is too much."""
     s, method, twice = run.step, run.method, run.growth == 1.0
     error = explicit.attempt(s, method) if isinstance(method, Explicit) else collocation.attempt(s, method)
@@ -209,7 +165,7 @@ def _measure_error(run: _Run) -> float:
     return reconsider(s, error, twice, lambda: collocation.attempt(s, method))
 
 
-def _advance(run: _Run) -> Outcome | None:
+def _advance(run: Run) -> Outcome | None:
     """One step, accepted or not; an outcome where the run ends."""
     task, s = run.task, run.step
     duration = abs(task.times[-1] - task.times[0])
@@ -225,9 +181,12 @@ def _advance(run: _Run) -> Outcome | None:
     reach, h = plan
     s.h, s.status = reach - s.t, 0
     error, reason = _attempt(run, reach)
+    if run.landing < 1.0:
+        run.rejected, run.landings, s.first, run.next = run.rejected + 1, run.landings + 1, True, run.landing * h
+        return None
     if not 0.0 <= error <= 1.0:
         run.rejected += 1
-        run.growth, s.first = 1.0, True
+        run.growth, run.landings, s.first = 1.0, 0, True
         run.next = h * (max(find_growth(run.method, error, run.former, True), 0.333) if error > 1.0 else 0.25)
         if task.step <= 0:
             square = error if isinstance(run.method, Explicit) else error * error
@@ -239,11 +198,17 @@ def _advance(run: _Run) -> Outcome | None:
     if task.step <= 0:
         growth = find_growth(run.method, error, run.former, False) if error > 0 else run.growth
         run.next = min(h * min(run.growth, max(growth, 0.333)), run.most)
-        run.growth, run.former = limit_growth(run.method), max(error, _LEAST_ERROR)
-    return _accept(run, reach)
+        run.growth, run.former = limit_growth(run.method), max(error, LEAST_ERROR)
+    done, landed = _accept(run, reach), run.landings > 0
+    if landed and s.t == reach:  # behind a corner the motion is another one
+        run.landings, run.growth, run.former = 0, limit_growth(run.method), 1.0
+        run.next = min(max(run.next, guess_length(s, run.method, task.times[-1] - task.times[0])), run.most)
+        if done is None:
+            hop(s, run.model, run.next, run.bound)
+    return done
 
 
-def _accept(run: _Run, reach: float) -> Outcome | None:
+def _accept(run: Run, reach: float) -> Outcome | None:
     task, s, model = run.task, run.step, run.model
     if _looks_inside(run) and is_wild(s):
         run.next, run.rejected = 0.25 * abs(s.h), run.rejected + 1
@@ -286,14 +251,14 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     return _pass_stop(run) if reach == run.bound else None
 
 
-def _looks_inside(run: _Run) -> bool:
+def _looks_inside(run: Run) -> bool:
     """Whether rows or events lie in the step, so that the interpolant is made, and may be worse than the end."""
     s, due = run.step, run.task.times[len(run.states)]
     inside = run.model.events > 0 or (due - s.t) / s.h < 1.0 - 1e-12
     return inside and run.task.step <= 0 and has_more_stages(run.method) and bool(_point(run, 0.5))
 
 
-def _halves(run: _Run) -> bool:
+def _halves(run: Run) -> bool:
     """Whether the step is not taken but halved, for it comes too near to a singular place or has gone over it."""
     if run.task.step > 0 or run.halved >= MOST_HALVINGS:
         return False
@@ -303,7 +268,7 @@ def _halves(run: _Run) -> bool:
     return True
 
 
-def _pass_stop(run: _Run) -> Outcome | None:
+def _pass_stop(run: Run) -> Outcome | None:
     """The run goes on behind a stop, where the slope may be another one; nothing moves at a jump."""
     s, task = run.step, run.task
     s.t, rows = cross(task, s.t, run.stop, len(run.states))
@@ -316,7 +281,7 @@ def _pass_stop(run: _Run) -> Outcome | None:
     return None
 
 
-def _point(run: _Run, part: float) -> list[float]:
+def _point(run: Run, part: float) -> list[float]:
     s = run.step
     if s.shape is None:
         module = explicit if isinstance(run.method, Explicit) else collocation
@@ -324,7 +289,7 @@ def _point(run: _Run, part: float) -> list[float]:
     return s.interpolate(part)
 
 
-def _fill(run: _Run, cut: float) -> None:
+def _fill(run: Run, cut: float) -> None:
     s, times = run.step, run.task.times
     while len(run.states) < len(times):
         part = (times[len(run.states)] - s.t) / s.h
@@ -337,7 +302,7 @@ def _fill(run: _Run, cut: float) -> None:
             run.states.append(run.model.hold(times[len(run.states)], point, run.task.p) if run.model.holds else point)
 
 
-def _find_event(run: _Run) -> tuple[float, int]:
+def _find_event(run: Run) -> tuple[float, int]:
     """(part of the step, index of the watched value) where one changes its sign; (2, -1) where none does."""
     s, task = run.step, run.task
 
