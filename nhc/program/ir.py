@@ -272,8 +272,7 @@ CORNER = 0.0, 0.0
 class Leaps:
     """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments.
 
-    ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much it always may; with no part it
-    has a corner at zero, at which steps end (``CORNER``) unless that is one of an angle.
+    ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much always; no part: a corner.
     """
 
     function: Function
