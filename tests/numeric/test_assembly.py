@@ -6,6 +6,7 @@ import math
 import re
 
 import pytest
+from scipy.optimize import minimize_scalar
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import decode
@@ -73,6 +74,29 @@ def test_what_is_open_moves_least() -> None:
     text = "nhc: 1\nsystem: rod\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nholonomic: [x^2 + y^2 = 1]\n"
     _, start = open_start(text + "scenes: {go: {initial: {x: {near: 0.63}, y: {near: 0.84}, z: 3}, time: [0, 1]}}\n")
     assert start.q == pytest.approx((0.6, 0.8, 3), rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("near", "mass"),
+    [((0.8, 0.6), 1.0), ((0.1, 1.0), 1.0), ((0.8, 0.6), 7.0), ((-0.4, -0.01), 1.0), ((1.5, -2.0), 0.2)],
+)
+def test_the_place_is_the_nearest(near: tuple[float, float], mass: float) -> None:
+    """On an ellipse, by a sum of squares with T's weights, against the best of many places on it."""
+    x, y = near
+    _, start = open_start(f"""nhc: 1
+system: ellipse
+coordinates: [x, y]
+T: (x'^2 + {mass}*y'^2)/2
+holonomic: [x^2 + 9*y^2 = 1]
+scenes: {{go: {{initial: {{x: {{near: {x}}}, y: {{near: {y}}}}}, time: [0, 1]}}}}
+""")
+
+    def away(turn: float) -> float:
+        return (math.cos(turn) - x) ** 2 + mass * (math.sin(turn) / 3 - y) ** 2
+
+    turn = minimize_scalar(away, bracket=(math.atan2(3 * y, x) - 0.3, math.atan2(3 * y, x) + 0.3), tol=1e-14).x
+    assert start.q == pytest.approx((math.cos(turn), math.sin(turn) / 3), abs=1e-7)
+    assert start.q[0] ** 2 + 9 * start.q[1] ** 2 == pytest.approx(1, rel=1e-12)
 
 
 def test_loops_that_share_links() -> None:

@@ -3,6 +3,7 @@
 Damped Gauss-Newton steps of least length (Levenberg 1944) in units that balance the slopes, halved until the equations go to zero
 along a line, so that a linkage is assembled on the branch that it was given near to.  Where a dead point lies on the way, the same
 from places all around, and steps that bring the equations nearer at all; of the places that are found the nearest is taken.
+What the equations leave open is then moved along them to the nearest place, in the metric of the kinetic energy.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ import math
 import operator
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.dense import Singular, solve_double
+from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import Singular, pivot_signs, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.regular.trials import balanced_units
@@ -26,7 +28,10 @@ _GAIN = 1e-4  # of what a step promises (Armijo 1966)
 _OFF = 0.25  # of what a step changes: how far off what its slopes promise it may be where they are followed closely
 _NEAR = 1e-6  # of the equations, where all steps are close
 _CLOSED = 1e-9  # what may be left of them
+_STRAIGHT = 1e-9  # of the way back: what of it may lie along the equations
 _MOST_WAYS = 12  # coordinates along which places beside the given one are tried
+
+_Matrix = list[list[float]]
 
 
 @record
@@ -44,8 +49,8 @@ class _Here:
 def assemble(system: System, place: Mapping[Node, float], free: Sequence[int]) -> dict[Node, float]:
     """``place`` with the coordinates of the indices ``free`` moved to where the holonomic constraints hold, as far as they can.
 
-    What the equations leave open moves least.  Where moving ``free`` does not help any more the place that comes nearest is
-    returned: who called looks whether the equations hold there.
+    What the equations leave open moves least, in the metric of T.  Where moving ``free`` does not help any more the place that
+    comes nearest is returned: who called looks whether the equations hold there.
     """
     loops = _Loops(system, free)
     here = loops.look(place)
@@ -55,12 +60,13 @@ def assemble(system: System, place: Mapping[Node, float], free: Sequence[int]) -
     closed = _CLOSED * (1.0 + here.size)
     led, left = loops.solve(place, closely=True)
     if left <= closed:
-        return led
+        return loops.draw_near(place, led, closed)
     passed, rest = loops.solve(place, closely=False)  # a dead point lies on the way
     if not rest <= closed:
         return passed if rest < left else led
     others = [loops.solve(beside, closely=True) for beside in loops.list_beside(place)]
-    return min([passed, *(at for at, left in others if left <= closed)], key=lambda at: loops.distance(place, at))
+    nearest = min([passed, *(at for at, left in others if left <= closed)], key=lambda at: loops.distance(place, at))
+    return loops.draw_near(place, nearest, closed)
 
 
 class _Loops:
@@ -68,7 +74,12 @@ class _Loops:
 
     def __init__(self, system: System, free: Sequence[int]) -> None:
         g, units = system.graph, balanced_units(system)
-        self.graph, self.symbols, self.units = g, [system.q[i] for i in free], [units[i] for i in free]
+        self.system, self.graph, self.symbols, self.units = (
+            system,
+            g,
+            [system.q[i] for i in free],
+            [units[i] for i in free],
+        )
         self.nodes = list[Node]()
         self.weights = list[float]()
         for form in system.constraints:
@@ -122,6 +133,54 @@ class _Loops:
         """How far the free coordinates have moved."""
         return math.hypot(*((one[q] - other[q]) / u for q, u in zip(self.symbols, self.units, strict=True)))
 
+    def draw_near(self, place: Mapping[Node, float], found: dict[Node, float], closed: float) -> dict[Node, float]:
+        """The nearest of the places around ``found``: from it the way back, along the equations (J. B. Rosen 1961)."""
+        metric = self._metric(place)
+        if len(self.weights) == len(self.symbols) or metric is None:
+            return found
+        for _ in range(_STEPS):
+            back = [(place[q] - found[q]) / u for q, u in zip(self.symbols, self.units, strict=True)]
+            along = _along_equations(self.look(found), back, metric)
+            if not along or _length(metric, along) <= _STRAIGHT * _length(metric, back):
+                break
+            moved = self._draw(place, found, along, closed, metric)
+            if moved is None:
+                break
+            found = moved
+        return found
+
+    def _draw(
+        self, place: Mapping[Node, float], found: dict[Node, float], along: list[float], closed: float, metric: _Matrix
+    ) -> dict[Node, float] | None:
+        """The next place on the way; None where no step leads nearer."""
+
+        def distance(at: Mapping[Node, float]) -> float:
+            return _length(metric, [(place[q] - at[q]) / u for q, u in zip(self.symbols, self.units, strict=True)])
+
+        for halving in range(_HALVINGS):
+            beside = self._along(found, along, 0.5**halving)
+            if self.look(beside) is None:
+                continue
+            moved, left = self.solve(beside, closely=True)
+            if left <= closed and distance(moved) < distance(found):
+                return moved
+        return None
+
+    def _metric(self, place: Mapping[Node, float]) -> _Matrix | None:
+        """T's matrix for the free coordinates at a place, in their units; None where it has none that is positive."""
+        g, system = self.graph, self.system
+        velocities = [system.v[system.q.index(q)] for q in self.symbols]
+        still = {**place, **dict.fromkeys(system.v, 0.0)}
+        rows = [gradient(g, slope, velocities) for slope in gradient(g, system.T, velocities)]
+        try:
+            values = [[float(x) for x in evaluate(g, row, still)] for row in rows]
+        except (ArithmeticError, ValueError):
+            return None
+        made = [
+            [x * u * w for x, w in zip(row, self.units, strict=True)] for row, u in zip(values, self.units, strict=True)
+        ]
+        return made if all(sign > 0 for sign in pivot_signs(made)) else None
+
     def _move(self, place: Mapping[Node, float], here: _Here, closely: bool) -> tuple[dict[Node, float], _Here] | None:
         """The next place and what is left there; None where no step helps.
 
@@ -143,6 +202,26 @@ class _Loops:
     def _along(self, place: Mapping[Node, float], step: Sequence[float], part: float) -> dict[Node, float]:
         moved = {q: place[q] + part * s * u for q, s, u in zip(self.symbols, step, self.units, strict=True)}
         return {**place, **moved}
+
+
+def _length(metric: _Matrix, vector: Sequence[float]) -> float:
+    return math.sqrt(
+        max(0.0, sum(x * sum(map(operator.mul, row, vector)) for x, row in zip(vector, metric, strict=True)))
+    )
+
+
+def _along_equations(here: _Here | None, back: Sequence[float], metric: _Matrix) -> list[float]:
+    """back - G^-1 J^T (J G^-1 J^T)^-1 J back: its part along the equations; empty where that has no solution."""
+    try:
+        ways = [solve_double(metric, list(row)) for row in here.slopes] if here is not None else []
+        gram = [[sum(map(operator.mul, a, b)) for b in ways] for a in here.slopes] if here is not None else []
+        across = [sum(map(operator.mul, row, back)) for row in here.slopes] if here is not None else []
+        weights = solve_double(gram, across) if gram else []
+    except Singular:
+        return []
+    return [
+        x - sum(map(operator.mul, weights, column)) for x, column in zip(back, zip(*ways, strict=True), strict=True)
+    ]
 
 
 def _is_close(here: _Here, there: _Here | None, part: float) -> bool:
