@@ -46,6 +46,7 @@ LONGEST = 100  # characters of an entry's expression that are read at a glance
     default="",
     help="Where to start looking: a scene, or values such as `theta=pi/2, w_n=3`; default: the first scene.",
 )
+@click.option("--scene", metavar="NAME", default="", help="A scene to start from, as `--about NAME`.")
 @set_option
 @hold_option
 @sweep_option()
@@ -54,6 +55,7 @@ LONGEST = 100  # characters of an entry's expression that are read at a glance
 def command(
     spec: str,
     about: str,
+    scene: str,
     settings: tuple[str, ...],
     holds: tuple[str, ...],
     sweep: SweepRange | None,
@@ -67,11 +69,19 @@ def command(
     rest in axes that move along a symmetry, as in a bend.
     """
     source = open_spec(spec)
-    about = about or take_first_scene(source, "to start from", "give values, such as `--about x=0`")
+    if about and scene:
+        raise click.UsageError(
+            "`--scene` says where to start, and `--about` too: give one of them, and other values by `--set`"
+        )
+    from nhc.language import decode
+    from nhc.mechanics.starts.scenes import check_scene_name
     from nhc.pipeline import Options, linearize
     from nhc.study.linearization.found import NotSteady
     from nhc.study.linearization.motion import Request
 
+    if scene:
+        check_scene_name(decode(source), scene)
+    about = about or scene or take_first_scene(source, "to start from", "give values, such as `--about x=0`")
     try:
         request = Request(about, settings, holds, sweep)
         found = linearize(source, request, Options(formulation=formulation or ""))

@@ -149,7 +149,7 @@ class Shapes:
             return None
         if value is not None:
             return value
-        if self.refuse_unit(text, declares=declares) or self.refuse_infinite(text):
+        if self.refuse_unit(text, declares=declares) or self.refuse_infinite(text) or self._refuse_date(text, what):
             return None
         tree = parse_expression(text.value, text.locate, self.bag)
         if tree is None or not self._is_constant(tree, what, declares):
@@ -163,6 +163,15 @@ class Shapes:
             return False
         help = "write a finite number; what has no value yet is left out"
         self.bag.error("E0313", f"`{text.value}` is no finite number", text.span, help=(help,))
+        return True
+
+    def _refuse_date(self, text: Text, what: str) -> bool:
+        """Report 2024-01-05, which would be a difference of three numbers."""
+        if not re.fullmatch(r"\d{4}-\d\d-\d\d", text.value):
+            return False
+        apart = " - ".join(str(int(part)) for part in text.value.split("-"))
+        help = f"{what} is a number; a difference is written with spaces, `{apart}`"
+        self.bag.error("E0301", f"expected a number for {what}, found the date `{text.value}`", text.span, help=(help,))
         return True
 
     def _is_constant(self, tree: Syntax, what: str, declares: bool) -> bool:

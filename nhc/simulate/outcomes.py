@@ -109,7 +109,7 @@ def _why_singular(job: Job, outcome: Outcome) -> str:
     place = _place_of(job, outcome)
     undefined = find_undefined(job.system, place)[0]
     if undefined:
-        return f"`{undefined}` has no real, finite value"
+        return undefined
     if outcome.status in job.meanings:
         return job.meanings[outcome.status]
     pole = find_pole(job.system, place)[0]

@@ -279,7 +279,7 @@ def _conserved(system: System, formulation: Formulation, integrals: tuple[Positi
     else:
         line = f"energy: $T + V$ is not conserved, because of: {', '.join(found.power)}"
     if found.jacobi is not None:
-        line += f"; $p q' - T + V$ is{'' if found.jacobi else ' not'}"
+        line += f"; $p q' - T + V$ {'is' if found.jacobi else 'is not conserved either'}"
     facts.say(
         "energy",
         {
@@ -313,7 +313,10 @@ def _dependent(system: System, formulation: Formulation, choice: Choice, by_name
     tried = formulation.dependent is not None and not (by_name and usual)
     never = choice.regular or never_vanishes(system, choice.determinant)
     aside = ", as it does on none of the positions that were tried" if tried else ""
-    regular = "never singular" if never else f"singular where it vanishes{aside}"
+    g, given = system.graph, choice.determinant
+    fixed = given is not None and g.value(given) is None and not g.depends(given, ~g.mask(system.p))
+    always = "never singular unless it is 0" if fixed else "never singular"
+    regular = always if never else f"singular where it vanishes{aside}"
     if choice.determinant is None:
         limit = "the determinant is too large to print"
     else:

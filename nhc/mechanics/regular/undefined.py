@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate, evaluate_into
@@ -18,24 +17,34 @@ _LONGEST = 60  # characters that a message shows of an expression
 
 
 def find_undefined(system: System, place: dict[Node, float]) -> tuple[str, Node | None]:
-    """The first part of T, the potential, the forces and the constraints without a real, finite value, as a text and as it is.
+    """The first part of T, the potential, the forces and the constraints without a real, finite value, in words and as it is.
 
-    ``place`` gives every symbol of the system its value.  The text is empty, and the part is None, where all have a value.
+    ``place`` gives every symbol of the system its value.  The words are empty, and the part is None, where all have a value.
     """
     graph = system.graph
     roots = [system.T, system.U, *system.Q]
     for form in system.constraints:
         roots += [*form.coefficients, form.constant]
-    wrong = _first_undefined(graph, roots, place)
-    return (to_text(graph, wrong, _LONGEST) if wrong is not None else ""), wrong
+    wrong, large = _first_undefined(graph, roots, place)
+    if wrong is None:
+        return "", None
+    lack = "is larger than a double can be (1.8e308)" if large else "has no real, finite value"
+    return f"`{to_text(graph, wrong, _LONGEST)}` {lack}", wrong
 
 
-def _first_undefined(graph: Graph, roots: Sequence[Node], place: Mapping[Node, float]) -> Node | None:
-    """The first node on the way to the roots without a real, finite value at a place; None where all have one."""
-    known, order = dict(place), reachable(graph, roots)
-    with suppress(ArithmeticError, ValueError):  # at the first node that is not known
+def _first_undefined(graph: Graph, roots: Sequence[Node], place: Mapping[Node, float]) -> tuple[Node | None, bool]:
+    """The first node on the way to the roots without a real, finite value at a place; None where all have one.  And whether it is
+    too large.
+    """
+    known, order, large = dict(place), reachable(graph, roots), False
+    try:
         evaluate_into(known, graph, order)
-    return next((node for node in order if not math.isfinite(known.get(node, math.nan))), None)
+    except OverflowError:
+        large = True
+    except (ArithmeticError, ValueError):  # at the first node that is not known
+        pass
+    wrong = next((node for node in order if not math.isfinite(known.get(node, math.nan))), None)
+    return wrong, large or (wrong is not None and math.isinf(known.get(wrong, 0.0)))
 
 
 def are_defined(system: System, nodes: Sequence[Node], place: Mapping[Node, float]) -> list[bool]:
@@ -74,5 +83,5 @@ def find_pole(system: System, values: Mapping[Node, float]) -> tuple[str, Span, 
         except (ArithmeticError, ValueError):
             found = [math.nan]
         if not all(map(math.isfinite, found)):
-            return f"{name} has no finite value, or slope,", span, _first_undefined(g, wanted, values)
+            return f"{name} has no finite value, or slope,", span, _first_undefined(g, wanted, values)[0]
     return "", spec.kinetic.span, None

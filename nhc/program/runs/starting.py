@@ -118,8 +118,7 @@ def _tell_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, 
         what, zero = find_undetermined(planner, start)
     part = None
     if not what:
-        undefined, part = find_undefined(system, values)
-        what = f"`{undefined}` has no real, finite value" if undefined else ""
+        what, part = find_undefined(system, values)
     if not what:
         what, _, part = find_pole(system, values)
     if not what:

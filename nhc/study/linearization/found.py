@@ -121,8 +121,7 @@ def _name_undefined(model: SteadyModel, y: Sequence[float]) -> str:
     except ArithmeticError:  # a singular coframe
         return ""
     place = {**model.values(y), **dict(zip(system.v, rates, strict=True))}
-    text, _ = find_undefined(system, place)
-    return f"`{text}` has no real, finite value" if text else find_pole(system, place)[0]
+    return find_undefined(system, place)[0] or find_pole(system, place)[0]
 
 
 def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
