@@ -96,7 +96,7 @@ EQUATIONS = {
         "  i over all n quasi-velocities",
         r"\frac{d}{dt} \frac{\partial T}{\partial \omega_\mu} + (\gamma^i_{\nu\mu} \omega_\nu + \varepsilon^i_\mu)"
         r" \frac{\partial T}{\partial \omega_i} - \frac{\partial T}{\partial \pi_\mu} = P_\mu = b_{i\mu} Q_i,"
-        r" \qquad i = 1, \dots, n",
+        r" \qquad \text{summed over } i = 1, \dots, n",
         "I.2.15",
     ),
     "chaplygin": Formula(
