@@ -132,7 +132,7 @@ def _is_stalled(run: Run) -> bool:
 
 def _attempt(run: Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
-    s = run.step
+    s, run.landing = run.step, 1.0
     try:
         error = _measure_error(run)
     except NoSolution:
@@ -142,7 +142,6 @@ def _attempt(run: Run, reach: float) -> tuple[float, int]:
         return math.nan, SINGULAR if s.status else UNDERFLOW
     if not all(map(math.isfinite, s.reached)):
         return math.nan, UNDERFLOW
-    run.landing = 1.0
     if error >= 0.0:
         run.most, run.landing = find_most(s, run.model, run.task, error, run.landings)
     if 0.0 <= error <= 1.0 and run.landing == 1.0:
