@@ -55,7 +55,7 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
         if not _meets_equations(system, guard):
             continue
         where = where_zero(system, guard, "`", entry_text(system, guard))
-        if find_weak_factors(system, [guard]) <= lost:
+        if lost and find_weak_factors(system, [guard]) <= lost:
             _warn_of_dependent_rows(system, where_zero(system, system.graph.product(sorted(lost)), "`"), bag)
             continue
         own = len(system.quasi) > 3 * len(system.rotations)

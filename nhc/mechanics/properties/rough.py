@@ -15,6 +15,7 @@ from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import coordinate_ranges, parameter_ranges
 
 _ROUGH = frozenset({"abs", "sign", "min", "max"})
+_HARMLESS = "nothing is wrong with it: adaptive steps of `nhc run` end there, while other methods of high order lose their order"
 
 
 def list_torn(system: System) -> frozenset[str]:
@@ -72,7 +73,7 @@ def warn_rough(system: System, torn: Collection[str], bag: Bag) -> None:
                 f"`{key}` contains {quote(found)}: its derivative "
                 + ("does not exist at every point" if lacks else "exists everywhere, higher ones need not"),
                 spec.key_span(key),
-                help=(help if lacks else "nothing is wrong with it, but methods of high order lose their order there",),
+                help=(help if lacks else _HARMLESS,),
             )
     spans = {entry.name: entry.span for entry in spec.constraints}
     spans |= {entry.name: entry.span for entry in spec.holonomic}
