@@ -19,7 +19,7 @@ from nhc.cli.options import (
     split_names,
     verb,
 )
-from nhc.cli.progress import show_part
+from nhc.cli.progress import Parts
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_text, say
 
@@ -154,10 +154,10 @@ def command(
     grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers, Changes(values, time))
     try:
         if finest is not None:
-            _deliver_comparison(pipeline.compare_models(sources, finest, grid, show_part), target, as_json, force)
+            _deliver_comparison(pipeline.compare_models(sources, finest, grid, Parts().show), target, as_json, force)
             return Exit.DONE
         for source in sources:
-            _deliver(pipeline.chart(source, grid, show_part), target, as_json, force)
+            _deliver(pipeline.chart(source, grid, Parts().show), target, as_json, force)
     except NoReference as error:
         raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
     return Exit.DONE

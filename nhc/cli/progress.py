@@ -20,11 +20,6 @@ def show_line(text: str) -> None:
     sys.stderr.flush()
 
 
-def show_part(part: float, what: str) -> None:
-    """Say on a terminal how much is done, and what is next; when all is, take it away."""
-    show_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
-
-
 class Clock:
     """The seconds that have passed, and whether it is time to say so: after half a minute, after one, two, four and so on."""
 
@@ -72,3 +67,17 @@ class Progress:
         """Take the bar away."""
         if self.shown:
             show_line("")
+
+
+class Parts:
+    """How much of several parts is done, and which is next: on a terminal, elsewhere a line whenever the clock strikes."""
+
+    def __init__(self) -> None:
+        self.clock = Clock()
+
+    def show(self, part: float, what: str) -> None:
+        """Say it; when all is done, take it away."""
+        if is_terminal(sys.stderr):
+            show_line(f"{100 * part:3.0f} %  {what}" if part < 1 else "")
+        elif part < 1 and self.clock.strikes():
+            say(f"after {self.clock.passed:.0f} s at {100 * part:.0f} %: {what}")

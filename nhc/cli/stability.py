@@ -17,7 +17,7 @@ from nhc.cli.options import (
     sweep_option,
     verb,
 )
-from nhc.cli.progress import show_line, show_part
+from nhc.cli.progress import Parts, show_line
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, put_json, put_text, say
 from nhc.cli.write import refuse_existing
@@ -94,7 +94,7 @@ def command(
 
     question = Question(scene, about, values, holds, sweep, lengths)
     try:
-        found = stability(source, question, Options(formulation=formulation or ""), show_part)
+        found = stability(source, question, Options(formulation=formulation or ""), Parts().show)
     finally:
         show_line("")
     _deliver(found, question, target, as_json)
