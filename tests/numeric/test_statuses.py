@@ -239,3 +239,32 @@ def test_a_coframe_is_singular_before_the_mass_that_it_divides(array: str, tmp_p
     for function, size in (("rhs", 4), ("velocities", 2), ("accelerations", 2), ("jacobian", 16)):
         assert ask_c(model, function, size, [0.0, y, p]) == 1
         assert ask_python(module, function, [numpy.array(x) for x in (0.0, y, p)] if array else [0.0, y, p]) == 1
+
+
+TYRE = """nhc: 1
+system: tyre
+coordinates: [x, y, th, f]
+parameters: {m: 1, J: 0.3, s: 0.4, V: 2}
+T: m/2*(x'^2 + y'^2) + J/2*th'^2
+forces: {y: -3*f*cos(th), x: 3*f*sin(th)}
+constraints:
+  - relax: s*f' + V*f - (-sin(th)*x' + cos(th)*y') = 0
+"""
+
+
+@pytest.mark.parametrize("length", [0.4, 1e-300, 0.0])
+def test_many_states_are_refused_where_one_is(length: float, tmp_path: Path) -> None:
+    """m s^2 is zero to a double where s is 1e-300, and the rates are numbers all the same."""
+    files = emit(Source("tyre.yaml", TYRE), "c", Options(formulation="euler-lagrange"))
+    library = compile_c(files, tmp_path, "tyre", ("-O0",))
+    model = CModel("tyre", ctypes.CDLL(str(library)), {})
+    module = python_model(
+        emit(Source("tyre.yaml", TYRE), "python", Options(formulation="euler-lagrange"))["tyre.py"], "tyre"
+    )
+    size = len(module.STATE)
+    y, p = [0.0] * size, [1.0, 0.3, length, 2.0]
+    assert (
+        ask_batch(model, size, 0.0, y, p)
+        == ask_c(model, "rhs", size, [0.0, y, p])
+        == ask_python(module, "rhs", [0.0, y, p])
+    )

@@ -57,6 +57,13 @@ def mark_unused(function: Function, body: tuple[Statement, ...]) -> list[str]:
     return [f"    (void){argument.name};" for argument in function.inputs if argument.name not in read]
 
 
+class _OncePrinter(BodyPrinter):
+    """Prints what is done once for all states: where a block of parameters alone seems singular, rhs is asked for each of them."""
+
+    def print_refusal(self, guard: Guard) -> str:
+        return f"{self.prefix}_one_by_one(count, 0, count, t, y, p, dydt)"
+
+
 class BatchPrinter:
     """Prints the states' work, in several functions where it is long, and the loop that calls them."""
 
@@ -115,7 +122,7 @@ class BatchPrinter:
         for statement in reversed(self.outside):
             if isinstance(statement, Guard) or (isinstance(statement, Let) and statement.name in used):
                 used |= collect_refs(statement)
-        printer = BodyPrinter(
+        printer = _OncePrinter(
             self.prefix,
             self.scope,
             self.helpers,

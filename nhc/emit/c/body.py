@@ -120,12 +120,13 @@ class BodyPrinter(CodePrinter):
     def print_guard(self, guard: Guard) -> None:
         """Leave where the block is singular."""
         self.add_comment(print_comment(describe_guard(guard, self.printer.print(guard.value))))
+        self.print_exit(self.print_good(guard), NAN if self.scalar else self.print_refusal(guard))
+
+    def print_refusal(self, guard: Guard) -> str:
+        """The status to leave with."""
+        self.helpers.add("refuse")
         value, bound = self.print_sides(guard)
-        left = NAN
-        if not self.scalar:
-            self.helpers.add("refuse")
-            left = f"{self.prefix}_refuse({value}, {bound}, {print_singular(self.prefix, guard.status)})"
-        self.print_exit(f"{value} > {bound}", left)
+        return f"{self.prefix}_refuse({value}, {bound}, {print_singular(self.prefix, guard.status)})"
 
     def print_exit(self, good: str, result: str) -> None:
         """Leave with the result where what should hold does not."""
