@@ -258,13 +258,5 @@ def test_many_states_are_refused_where_one_is(length: float, tmp_path: Path) -> 
     files = emit(Source("tyre.yaml", TYRE), "c", Options(formulation="euler-lagrange"))
     library = compile_c(files, tmp_path, "tyre", ("-O0",))
     model = CModel("tyre", ctypes.CDLL(str(library)), {})
-    module = python_model(
-        emit(Source("tyre.yaml", TYRE), "python", Options(formulation="euler-lagrange"))["tyre.py"], "tyre"
-    )
-    size = len(module.STATE)
-    y, p = [0.0] * size, [1.0, 0.3, length, 2.0]
-    assert (
-        ask_batch(model, size, 0.0, y, p)
-        == ask_c(model, "rhs", size, [0.0, y, p])
-        == ask_python(module, "rhs", [0.0, y, p])
-    )
+    y, p = [0.0] * 7, [1.0, 0.3, length, 2.0]
+    assert ask_batch(model, 7, 0.0, y, p) == ask_c(model, "rhs", 7, [0.0, y, p]) == (2 if length == 0.0 else 0)
