@@ -91,7 +91,8 @@ def test_a_force_whose_work_another_cancels_is_no_reason() -> None:
 
 
 @pytest.mark.parametrize(
-    ("more", "second"), [("", "is"), ("V: x^2*cos(t)\n", "is not"), ("forces: {x: -c*x'}\n", "is not")]
+    ("more", "second"),
+    [("", "is"), ("V: x^2*cos(t)\n", "is not conserved either"), ("forces: {x: -c*x'}\n", "is not conserved either")],
 )
 def test_the_generalized_energy_is_told_where_it_is_another_one(more: str, second: str) -> None:
     rod = HEAD + "coordinates: [x]\nT: m/2*(x'^2 + (c*x)^2)\n"

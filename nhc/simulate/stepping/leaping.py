@@ -57,7 +57,7 @@ def find_most(step: Step, model: Placed, task: Task, error: float, landings: int
         for c, change in zip(courses, noise, strict=True):
             c.noise = change
         first = min(c.find_corner(wrong) for c in courses) if lands else 1.0
-        if first < 1.0:
+        if first < 1.0 and first * abs(step.h) > 1e-12 * scale:  # else it slides along it
             return 0.0, first * (1.0 - 1e-12)  # not beyond it, where the last stages may see another force
         most = _judge(step, model, courses) if most == 0.0 else most
     return most, 1.0

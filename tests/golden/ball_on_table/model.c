@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:9ba8d657dc8db6bb)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:cf86522a9b607524)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Equations of motion: chaplygin (III.3)
@@ -853,11 +853,11 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double k6 = 1.0 / a;
     /* the mass matrix is singular, if k * k1 is 0 */
     if (!(fabs(k * k1) > 0.0)) {
-        return ball_on_table_refuse(fabs(k * k1), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        return ball_on_table_one_by_one(count, 0, count, t, y, p, dydt);
     }
     /* the mass matrix is singular, if k3 is 0 */
     if (!(fabs(k3) > 0.0)) {
-        return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
+        return ball_on_table_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {a, Omega0, Omega1, nu, k4, k5, k6};
     double check[1 * BALL_ON_TABLE_LANES];

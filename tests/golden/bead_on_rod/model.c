@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:5c8a6b38e877a398)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:268a048f756893d0)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -384,7 +384,7 @@ int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const 
     const double k1 = Omega * Omega;
     /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
-        return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
+        return bead_on_rod_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {k1};
     double check[1 * BEAD_ON_ROD_LANES];

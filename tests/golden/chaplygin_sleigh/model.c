@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:cb8c4569d88aafe4)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2ad05cbff5f905bc)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -547,7 +547,7 @@ int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, c
     const double k3 = -k1 / k2;
     /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
-        return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
+        return chaplygin_sleigh_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {a, k3};
     double check[1 * CHAPLYGIN_SLEIGH_LANES];

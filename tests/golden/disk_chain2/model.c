@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:6750a229b50f75a6)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:58afc0e113b377d5)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Equations of motion: chaplygin (III.3)
@@ -745,7 +745,7 @@ int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const 
     const double k2 = R * k / k1;
     /* the mass matrix is singular, if J is 0 */
     if (!(fabs(J) > 0.0)) {
-        return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
+        return disk_chain2_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {R, k2};
     double check[1 * DISK_CHAIN2_LANES];

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:5f3470bb0a125466)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:301505fb0dba274c)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -605,7 +605,7 @@ int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double k2 = 1.0 / l2;
     /* the mass matrix is singular, if m2 is 0 */
     if (!(fabs(m2) > 0.0)) {
-        return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
+        return double_pendulum_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {m1, m2, l1, l2, g, k1, k2};
     double check[1 * DOUBLE_PENDULUM_LANES];

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:0355796c0646d255)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:aa09aaa3342a6b3f)
  * The symmetric top with a fixed point (Lagrange's top).
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -582,7 +582,7 @@ int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const do
     const double k3 = mgl * k1;
     /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
-        return heavy_top_refuse(fabs(I3), 0.0, HEAVY_TOP_SINGULAR_2);
+        return heavy_top_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {I1, k2, k3};
     double check[1 * HEAVY_TOP_LANES];

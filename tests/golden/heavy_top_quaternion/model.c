@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6c252dd8027a09a6)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:eb46579a75db225a)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -612,7 +612,7 @@ int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *
     const double k2 = 1.0 / I1;
     /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
-        return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
+        return heavy_top_quaternion_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {mgl, k1, k2};
     double check[1 * HEAVY_TOP_QUATERNION_LANES];

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:a6987fa3a74622f7)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:773ea33f80af98bc)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -897,7 +897,7 @@ int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k2 = k1 * (J * k1);
     /* the mass matrix is singular, if J0 is 0 */
     if (!(fabs(J0) > 0.0)) {
-        return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
+        return n_trailer3_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {m0, m, k1, k2};
     double check[1 * N_TRAILER3_LANES];

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:c1f892db0b0521e8)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:591be01219ceb7e2)
  * The plane pendulum, large swings.
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -425,7 +425,7 @@ int pendulum_rhs_batch(size_t count, const double *t, const double *y, const dou
     const double k1 = -g / l;
     /* the mass matrix is singular, if m * (l * l) is 0 */
     if (!(fabs(m * (l * l)) > 0.0)) {
-        return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
+        return pendulum_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {k1};
     double check[1 * PENDULUM_LANES];

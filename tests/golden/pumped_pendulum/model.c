@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:ae659b3ce5f92650)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:830831e7a5203b86)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -453,7 +453,7 @@ int pumped_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double k2 = -1.0 / l;
     /* the mass matrix is singular, if m * (l * l) is 0 */
     if (!(fabs(m * (l * l)) > 0.0)) {
-        return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
+        return pumped_pendulum_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {g, nu, k1, k2};
     double check[1 * PUMPED_PENDULUM_LANES];

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:3d5c7488d8f6fb40)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:cb04d65b81dd3d8c)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v, phi': the dependent velocities that nhc would choose (y') are
@@ -542,11 +542,11 @@ int skate_incline_rhs_batch(size_t count, const double *t, const double *y, cons
     const double k1 = g * s_alpha;
     /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
-        return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
+        return skate_incline_one_by_one(count, 0, count, t, y, p, dydt);
     }
     /* the mass matrix is singular, if J is 0 */
     if (!(fabs(J) > 0.0)) {
-        return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
+        return skate_incline_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {k1};
     double check[1 * SKATE_INCLINE_LANES];

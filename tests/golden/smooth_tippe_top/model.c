@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d56aff7bfd690729)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:e9d3fa527407a5d8)
  * The ball of routh_sphere on a plane without any friction.
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -807,11 +807,11 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     const double k4 = I1 + k2;
     /* the mass matrix is singular, if I3 is 0 */
     if (!(fabs(I3) > 0.0)) {
-        return smooth_tippe_top_refuse(fabs(I3), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        return smooth_tippe_top_one_by_one(count, 0, count, t, y, p, dydt);
     }
     /* the mass matrix is singular, if m is 0 */
     if (!(fabs(m) > 0.0)) {
-        return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
+        return smooth_tippe_top_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {e, I1, I3, g, k1, k2, k3, k4};
     double check[1 * SMOOTH_TIPPE_TOP_LANES];

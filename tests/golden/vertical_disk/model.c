@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:aa900d17ea24d72b)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:a647b4138d4b7c34)
  * A disk that stays upright and rolls without slipping.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -534,11 +534,11 @@ int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, cons
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
     /* the mass matrix is singular, if J is 0 */
     if (!(fabs(J) > 0.0)) {
-        return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
+        return vertical_disk_one_by_one(count, 0, count, t, y, p, dydt);
     }
     /* the mass matrix is singular, if I + R * (m * R) is 0 */
     if (!(fabs(I + R * (m * R)) > 0.0)) {
-        return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
+        return vertical_disk_one_by_one(count, 0, count, t, y, p, dydt);
     }
     const double fixed[] = {R};
     double check[1 * VERTICAL_DISK_LANES];
