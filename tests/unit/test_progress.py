@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from nhc.cli import progress
-from nhc.cli.progress import Progress
+from nhc.cli.progress import Parts, Progress
 
 
 class Screen(io.StringIO):
@@ -47,3 +47,11 @@ def test_a_bar_on_a_terminal(clock: list[float], monkeypatch: pytest.MonkeyPatch
     assert "[" + "#" * 15 + "." * 15 + "]  50 %  t = 4" in screen.getvalue() and "\n" not in screen.getvalue()
     bar.clear()
     assert screen.getvalue().endswith("\r")
+
+
+def test_parts_where_there_is_no_terminal(clock: list[float], capsys: pytest.CaptureFixture[str]) -> None:
+    parts = Parts()
+    for seconds, part in ((0, 0.0), (35, 0.25), (50, 0.5), (61, 0.75), (125, 1.0)):
+        clock[0] = 100.0 + seconds
+        parts.show(part, f"part {4 * part:.0f}")
+    assert capsys.readouterr().err.splitlines() == ["after 35 s at 25 %: part 1", "after 61 s at 75 %: part 3"]

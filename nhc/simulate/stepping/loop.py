@@ -198,8 +198,9 @@ def _advance(run: Run) -> Outcome | None:
         growth = find_growth(run.method, error, run.former, False) if error > 0 else run.growth
         run.next = min(h * min(run.growth, max(growth, 0.333)), run.most)
         run.growth, run.former = limit_growth(run.method), max(error, LEAST_ERROR)
-    done, landed = _accept(run, reach), run.landings > 0
-    if landed and s.t == reach:  # behind a corner the motion is another one
+    start, landed = s.t, run.landings > 0
+    done = _accept(run, reach)
+    if landed and s.t != start:  # behind a corner the motion is another one
         run.landings, run.growth, run.former = 0, limit_growth(run.method), 1.0
         run.next = min(max(run.next, guess_length(s, run.method, task.times[-1] - task.times[0])), run.most)
         if done is None:

@@ -33,6 +33,8 @@ class Watched(Placed, Beating, Held, Watching, Protocol):
 
 @dataclass
 class Run:
+    """``landing`` is the part of the last attempt at which it passes its first corner, ``landings`` such attempts in a row."""
+
     model: Watched
     method: Tableau
     task: Task
