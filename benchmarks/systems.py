@@ -20,7 +20,7 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
     ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine``,
-    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>`` or ``spherical<N>``.
+    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>``, ``spherical<N>`` or ``turned_top``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -339,6 +339,23 @@ def _bowl(_: int, __: bool) -> str:
     )
 
 
+def _turned_top(_: int, __: bool) -> str:
+    """A heavy top whose quasi-velocities are on its own axes, written with the angular velocity in space."""
+    own = [f"B_x{k}*p + B_y{k}*q + B_z{k}*r" for k in (1, 2, 3)]
+    return _assemble(
+        "turned_top",
+        [
+            ("rotation", ["B: {velocities: [p, q, r], frame: space}"]),
+            ("parameters", "{J1: 1, J2: 2, J3: 2.5, m: 1, g: 9.81, h: 0.3}"),
+            ("define", [f"w{k}: {value}" for k, value in enumerate(own, 1)]),
+            ("T", "(J1*w1^2 + J2*w2^2 + J3*w3^2)/2"),
+            ("V", "m*g*h*B_z3"),
+            ("quasi_velocities", [f"u{k}: w{k}" for k in (1, 2, 3)]),
+            _scene("u1: 0.3, u3: 5"),
+        ],
+    )
+
+
 def _arm(count: int, _: bool) -> str:
     """An arm of hinges about z, every second one at right angles to the one before it."""
     bodies = []
@@ -509,6 +526,7 @@ _FAMILIES = {
     "satellite": _satellite,
     "bicycle": _bicycle,
     "bowl": _bowl,
+    "turned_top": _turned_top,
     "arm": _arm,
     "belt_egg": _belt_egg,
     "submarine": _submarine,

@@ -147,7 +147,7 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
 
 def _added(found: Findings) -> dict[str, str]:
     """What the velocities are that nhc made."""
-    from nhc.mechanics.frame import describe_added
+    from nhc.mechanics.added_forms import describe_added
 
     return describe_added(found.flow.system, found.formulation.frame)
 

@@ -8,7 +8,8 @@ from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Node
 from nhc.algebra.walks import reachable
 from nhc.language.units.derived import show_unit
 from nhc.language.units.dimensions import ONE, SECOND, Dimension, multiply, parse_unit, raise_to
-from nhc.mechanics.frame import Frame, added_forms, form_value, kept_forms
+from nhc.mechanics.added_forms import added_forms
+from nhc.mechanics.frame import Frame, form_value, kept_forms
 from nhc.mechanics.system import Form, System
 
 _PER_SECOND = raise_to(SECOND, -1)

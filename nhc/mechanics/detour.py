@@ -107,9 +107,11 @@ def _by_way_of(forms: Sequence[Form], equations: Equations, kinetic: Kinetic, ke
     values = [g.zero if form in kept else substitute(g, [form_value(system, form)], by_w)[0] for form in forms]
     still = dict.fromkeys(motion.w, g.zero)
     put_in = {symbol: value for symbol, value, form in zip(frame.free, values, forms, strict=True) if form not in kept}
-    drift = tuple(total_derivative(system, value, motion.velocities, still) for value in values)
+    drift = [total_derivative(system, value, motion.velocities, still) for value in values]
+    if system.rotations:  # (R^T)' omega = -omega x R^T omega, which is zero
+        drift = [g.zero if gone else x for x, gone in zip(drift, are_zero(g, drift), strict=True)]
     back = tuple(substitute(g, [form_value(system, form) for form in kept], by_u))
-    return Detour(made, frame, put_in, drift, back, _swirl(system, frame, put_in, drift))
+    return Detour(made, frame, put_in, tuple(drift), back, _swirl(system, frame, put_in, drift))
 
 
 def _swirl(system: System, frame: Frame, values: Mapping[Node, Node], drift: Sequence[Node]) -> tuple[Node | None, ...]:

@@ -10,6 +10,7 @@ from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
@@ -23,6 +24,8 @@ from nhc.mechanics.moving.on_body import move_on_bodies
 from nhc.mechanics.moving.structure import move_by_structure
 from nhc.mechanics.regular.determined import check_determined
 from nhc.mechanics.regular.trials import trial_points
+from nhc.mechanics.rotations.turning import moving
+from nhc.mechanics.spherical_tops import turn_tops
 from nhc.mechanics.system import System
 from nhc.mechanics.trees import FEW
 from nhc.mechanics.uniform import at_rest, drop_uniform
@@ -84,8 +87,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
     tree = _tree(system, formulation)
     if tree is not None:
         return _from_leaves(system, formulation, tree, kinetic)
-    kinetic = kinetic or kinetic_structure(system)
-    route = _route_at_rest(system, formulation, kinetic)
+    route, kinetic = _route_on_axes(system, formulation, kinetic)
     rows, motion = route.rows, route.motion
     bordered = formulation.name == "multipliers" and system.l > 0
     check_determined(system, [row.mass for row in rows], bordered=bordered)
@@ -163,6 +165,22 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
         guards=formulation.frame.guards if formulation.frame is not None else (),
         tree=tree,
     )
+
+
+def _route_on_axes(system: System, formulation: Formulation, kinetic: Kinetic | None) -> tuple[_Route, Kinetic]:
+    """The cheapest route, with the omega of spherical tops in space where no velocity of the motion is on their own axes."""
+    frame = formulation.frame
+    turned = turn_tops(system, frame) if frame is not None else None
+    if turned is None:
+        kinetic = kinetic or kinetic_structure(system)
+        return _route_at_rest(system, formulation, kinetic), kinetic
+    there, kinetic = turned[0], kinetic_structure(turned[0])
+    route = _route_at_rest(there, replace(formulation, frame=turned[1]), kinetic)
+
+    def energy() -> Node:
+        return substitute(there.graph, [there.T], moving(there, route.motion.velocities))[0]
+
+    return replace(route, kinetic=energy), kinetic
 
 
 def _route_at_rest(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:

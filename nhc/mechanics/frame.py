@@ -8,28 +8,25 @@ The coordinate coframe of Čaplygin and Voronec is the one whose free forms are 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from fractions import Fraction
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import is_clearly_regular, solve_rows
 from nhc.algebra.solving.sizes import size_of
 from nhc.mechanics.regular.regularity import pivot_weakness
 from nhc.mechanics.rotations import turning
+from nhc.mechanics.rotations.other_axes import choose_axes, turn_omega
 from nhc.mechanics.rotations.rotation import Rotation
-from nhc.mechanics.rotations.turning import Direction, along, from_base, moving
+from nhc.mechanics.rotations.turning import Direction, along, from_base
 from nhc.mechanics.row_factors import common_parameters, strip_factor
 from nhc.mechanics.system import Form, System
 from nhc.records import fresh, record, structure
 from nhc.thesis.tie import equation
 
 Guards = tuple[tuple[Node, Node], ...]
-_LONGEST_FORM = 200
-"""Characters of a form that is put into a sentence."""
 
 
 @record
@@ -49,6 +46,8 @@ class Frame:
     solve: Callable[[bool], tuple[Sequence[Node], Sequence[tuple[Node, Node]]]]
     turned: tuple[Rotation, ...] = ()
     """The rotations whose angular velocity the frame was solved for, not e'."""
+    bases: tuple[Rotation, ...] = ()
+    """The same on the axes on which it was solved for: the spec's, or the others."""
     rows: Callable[[], tuple[list[Node], list[Node]]] | None = None
     """The rows that vanish on the motion, and the unknowns in which they are linear, one for each coordinate."""
 
@@ -89,13 +88,22 @@ class Frame:
 
     def _vectors(self, found: Sequence[Node], symbols: Sequence[Node]) -> tuple[tuple[Node, ...], ...]:
         g = self.graph
-        return tuple(from_base(self.system, tangent(g, found, {w: g.one}), self.turned) for w in symbols)
+        return tuple(self._from_base(tangent(g, found, {w: g.one})) for w in symbols)
+
+    def _from_base(self, b: Sequence[Node]) -> tuple[Node, ...]:
+        """The vector with these components, of which the rotations' omega is known on the spec's axes, too."""
+        g, made = self.graph, from_base(self.system, b, self.bases)
+        for own, base in zip(self.turned, self.bases, strict=True):
+            if own is not base:
+                first, *omega = (b[k] for k in own.places)
+                own.known.setdefault(tuple(made[k] for k in own.places), (first, *turn_omega(g, own, omega)))
+        return made
 
     @cached_property
     def drift(self) -> tuple[Node, ...]:
         """b_{i,n+1}."""
         still = dict.fromkeys(self.symbols, self.graph.zero)
-        return from_base(self.system, substitute(self.graph, self._on_constraints[0], still, named=False), self.turned)
+        return self._from_base(substitute(self.graph, self._on_constraints[0], still, named=False))
 
     @cached_property
     def all_kinematics(self) -> tuple[Node, ...]:
@@ -110,7 +118,7 @@ class Frame:
 
     def _named(self, found: Sequence[Node]) -> tuple[Node, ...]:
         named = {x: w for x, w in zip(self.symbols, self.omega, strict=True) if x != w}
-        return from_base(self.system, substitute(self.graph, found, named) if named else found, self.turned)
+        return self._from_base(substitute(self.graph, found, named) if named else found)
 
     @equation("I.2.5")
     def along(self, function: Node, j: int) -> Node:
@@ -184,9 +192,14 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *,
     unknowns = [g.symbol(name, "unknown") for name in system.q_names]
     turned = tuple(r for r in system.rotations if not set(r.v) & set(symbols))
     written = [form_value(system, form) for form in forms]
+    bases, spoken = choose_axes(g, turned, written)
 
     def rename() -> list[Node]:
-        return substitute(g, written, moving(system, from_base(system, unknowns, turned)))
+        rates = from_base(system, unknowns, bases)
+        on = dict(zip(system.v, rates, strict=True))
+        for base in (*(r for r in system.rotations if r not in turned), *bases):
+            on |= base.moving(g, [rates[k] for k in base.places])
+        return substitute(g, spoken, on)
 
     def list_rows(everything: bool) -> tuple[list[Node], list[Node]]:
         values, sides = rename(), list(omega)
@@ -208,7 +221,7 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node], *,
         values = {**led.velocities, **dict(zip(others, found, strict=True))}
         return [values[x] for x in unknowns], [*((divisor, divisor) for divisor in divisors), *led.guards, *guards]
 
-    frame = Frame(system, forms, omega, omega, solve, turned, lambda: (list_rows(everything=False)[0], unknowns))
+    frame = Frame(system, forms, omega, omega, solve, turned, bases, lambda: (list_rows(everything=False)[0], unknowns))
     if not known:
         rows, velocities = (rename(), unknowns) if system.rotations else (written, system.v)
         if not is_clearly_regular(g, rows, velocities):
@@ -283,41 +296,6 @@ def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
     if frame is None:
         return tuple(coordinate_form(system, i) for i in range(system.n))
     return frame.forms[system.l :]
-
-
-def added_forms(system: System, forms: Iterable[Form]) -> list[Form]:
-    """Those that nhc made: no velocities of coordinates, and none of the spec or of its rotations."""
-    known = {*system.q_names, *(form.name for form in system.quasi)}
-    return [form for form in forms if form.name not in known]
-
-
-def describe_added(system: System, frame: Frame | None) -> dict[str, str]:
-    """What the velocities are that nhc made for a motion to keep: their names, and their forms as the language writes them, or
-    what a line makes of them where that is said sooner.
-
-    Those of the spec and of rotations are known by their names, as are the coordinates' velocities.
-    """
-    return {form.name: _describe(system, form) for form in added_forms(system, kept_forms(system, frame))}
-
-
-def _describe(system: System, form: Form) -> str:
-    g, line = system.graph, form.line
-    text = to_text(g, substitute(g, [form_value(system, form)], _by_angular(system))[0], _LONGEST_FORM)
-    if line is None or not text.endswith("…"):
-        return text
-    omega = velocity_symbol(system, form)
-    values = [(j, g.add(g.mul(line.vector[j], omega), line.carried[j])) for j in line.columns]
-    return ", ".join(f"{system.q_names[j]}' = {to_text(g, value, _LONGEST_FORM)}" for j, value in values)
-
-
-def _by_angular(system: System) -> dict[Node, Node]:
-    """The angular velocities of rotations in what is made of them: without the numbers in front, which go elsewhere in products."""
-    g, found = system.graph, dict[Node, Node]()
-    for form in system.quasi:
-        if form.name in system.angular:
-            number, core = g.split_coefficient(form_value(system, form))
-            found[core] = g.mul_number(1 / Fraction(number), velocity_symbol(system, form))
-    return found
 
 
 def velocity_symbol(system: System, form: Form) -> Node:

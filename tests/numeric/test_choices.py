@@ -12,8 +12,8 @@ import pytest
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.minors import float_determinant
 from nhc.diagnostics import Source
+from nhc.mechanics.added_forms import describe_added
 from nhc.mechanics.certificates.certificate import certify
-from nhc.mechanics.frame import describe_added
 from nhc.mechanics.regular.regularity import choose_dependent, judge, relative_determinant, score
 from nhc.mechanics.regular.trials import ordinary_points, sampled_rows, trial_points
 from nhc.pipeline import Options, check, emit, model, program

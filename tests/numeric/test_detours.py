@@ -172,11 +172,11 @@ def test_the_rates_solve_the_equations_exactly(name: str) -> None:
     assert all(are_zero(g, residual))
 
 
-def module_of(source: Source, rules: tuple[str, ...] = ()) -> ModuleType:
+def module_of(source: Source, rules: tuple[str, ...] = (), only: tuple[str, ...] = ("rhs", "jacobian")) -> ModuleType:
     """The emitted Python of a spec that is derived without some rules."""
     made = resolve(decode(source), WithoutRules(rules))
     formulation = formulate(made)
-    program = build_program(made, formulation, equations_of(made, formulation), only=("rhs", "jacobian"))
+    program = build_program(made, formulation, equations_of(made, formulation), only=only)
     return python_model(render(program, "python", EmitOptions())[f"{made.name}.py"], made.name)
 
 

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import random
+import re
+
 import pytest
 
+from benchmarks.systems import spec
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rewriting.rules import WithoutRules
@@ -13,11 +17,12 @@ from nhc.language import decode
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import kept_forms
+from nhc.mechanics.in_space import find_in_space
 from nhc.mechanics.resolving.resolve import resolve
-from nhc.mechanics.spherical_tops import find_in_space
+from nhc.mechanics.rotations.other_axes import turn_omega
 from nhc.program.planning.planner import Planner
 from tests.numeric.test_detours import assert_slopes, module_of
-from tests.numeric.test_spins import text_of
+from tests.numeric.test_spins import SURFACES, text_of
 from tests.numeric.test_squares import operations, program_of
 from tests.property.test_rules import transplant
 
@@ -59,6 +64,15 @@ SYSTEMS = {
     ),
 }
 """Those that are brought to the axes of space, wholly or in part."""
+
+
+def by_spin(name: str, *, body: bool) -> str:
+    """A ball on a surface whose state is the spin about the normal and the rates of the place: nothing on the ball's own axes."""
+    text, spin = text_of(name, body=body), "nx*{x} + ny*{y} + nz*{z}"
+    rows = {axis: f"(R_{axis}1*wx + R_{axis}2*wy + R_{axis}3*wz)" if body else f"w{axis}" for axis in "xyz"}
+    first, second = SURFACES[name][0].split(", ")
+    quasi = f"quasi_velocities: {{vn: {spin.format(**rows)}, u1: {first}', u2: {second}'}}"
+    return text.replace("scenes:", f"forces: {{{first}: -c*{first}'}}\n{quasi}\nscenes:")
 
 
 def rates(text: str, graph: Graph) -> list[Node]:
@@ -119,6 +133,68 @@ def test_by_way_of_the_spin_about_the_normal(name: str, most: int) -> None:
     found = find_in_space(equations_of(system, formulation), kept_forms(system, formulation.frame))
     assert found[1].frame.forms[system.l].name == "v"
     assert operations(program_of(system)) <= most
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("name", SURFACES)
+def test_on_which_axes_omega_is_does_not_matter_where_it_is_not_kept(name: str) -> None:
+    """The same operations, and the same rates as without the rules, where rows with the orientation are solved."""
+    text, off = by_spin(name, body=True), ("spherical tops", "other axes")
+    with_all, without = Graph(), WithoutRules(off)
+    assert are_equal(without, transplant(rates(text, with_all), with_all, without), rates(text, without))
+    counts = [operations(program_of(resolve(decode(Source("s.yaml", by_spin(name, body=k)))))) for k in (True, False)]
+    assert counts[0] <= counts[1] + 1
+    source = Source("s.yaml", text)
+    assert_slopes(module_of(source), module_of(source, off), name)
+
+
+@pytest.mark.sample(2)
+@pytest.mark.parametrize("name", SURFACES)
+def test_what_else_is_emitted_for_it(name: str) -> None:
+    """The energy, velocities, accelerations and reactions at random states, as without the rules."""
+    source = Source("s.yaml", by_spin(name, body=True))
+    short, long = (module_of(source, off, only=()) for off in ((), ("spherical tops", "other axes")))
+    rng = random.Random(name)
+    for _ in range(3):
+        y = [rng.uniform(0.3, 1.2) for _ in short.STATE]
+        for function in ("energy", "velocities", "accelerations", "reactions", "rhs"):
+            got, expected = (getattr(m, function)(0.2, y, m.DEFAULTS) for m in (short, long))
+            assert got == pytest.approx(expected, rel=1e-11, abs=1e-11), function
+
+
+TURNED = spec("turned_top")
+
+
+def test_quasi_velocities_on_the_other_axes() -> None:
+    """A top's own rates are those of Euler's equations, whatever axes the angular velocity is written on."""
+    system = resolve(decode(Source("s.yaml", TURNED)))
+    assert operations(program_of(system)) <= 59
+    g = system.graph
+    formulation = formulate(system)
+    assert formulation.frame is not None
+    (own,), (base,) = formulation.frame.turned, formulation.frame.bases
+    assert (own.sign, base.sign) == (-1, 1)
+    w = formulation.frame.free
+    assert own.turning(g, formulation.frame.kinematics)[1:] == turn_omega(g, own, w)
+
+
+def test_a_top_with_its_state_in_space() -> None:
+    """Solved for on its own axes, where the moments of inertia do not move; back, for omega x omega = 0."""
+    rows = [f"B_{axis}1*p + B_{axis}2*q + B_{axis}3*r" for axis in "xyz"]
+    text = TURNED.replace(", frame: space", "")
+    for k, (row, own) in enumerate(zip(rows, "pqr", strict=True), 1):
+        text = re.sub(rf"u{k}: w{k}\b", f"u{k}: {row}", text)
+        text = re.sub(rf"\bw{k}: .*", f"w{k}: {own}", text)
+    with_all, without = Graph(), WithoutRules(["other axes", "detours"])
+    assert are_equal(without, transplant(rates(text, with_all), with_all, without), rates(text, without))
+    assert operations(program_of(resolve(decode(Source("s.yaml", text))))) <= 117
+    source = Source("s.yaml", text)
+    assert_slopes(module_of(source), module_of(source, ("other axes", "detours")), "turned_top")
+
+
+def test_a_ball_that_rolls_freely_has_no_matrix_to_watch() -> None:
+    """Its rates are zero; pivots on its own axes would be the only use of the mass matrix there."""
+    assert operations(program_of(resolve(decode(Source("s.yaml", f"{PLANE}{ROLLING}"))))) <= 70
 
 
 def test_entries_of_the_matrix_count_as_one() -> None:

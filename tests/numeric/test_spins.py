@@ -9,11 +9,12 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.language import decode
+from nhc.mechanics.added_forms import describe_added
 from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.choosing.choose import formulate
 from nhc.mechanics.choosing.spins import spins
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.frame import describe_added, kept_forms
+from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import derive

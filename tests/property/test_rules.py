@@ -55,6 +55,7 @@ WHOLE = {
     "directions": "flat_arm2",
     "lone points": "spherical2",
     "spherical tops": "bowl",
+    "other axes": "turned_top",
     "order of pivots": "satellite3",
     "still pivots": "smooth_tippe_top",
     "pieces": "voronec_particle",

@@ -123,6 +123,11 @@ RULES = (
         "mechanics/spherical_tops.py",
     ),
     Rule(
+        "other axes",
+        "an angular velocity is solved for on the axes on which quasi-velocities and constraints do not hold the orientation",
+        "mechanics/rotations/other_axes.py",
+    ),
+    Rule(
         "order of pivots",
         "L D L^T takes rows with few entries first, if this creates fewer new entries",
         "program/plan.py",

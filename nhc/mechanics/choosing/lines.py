@@ -18,7 +18,8 @@ from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.parts import list_terms, split_powers
 from nhc.algebra.rewriting.angles import normalise_angles
 from nhc.algebra.walks import count, reachable
-from nhc.mechanics.frame import added_forms, closed_rows, form_value
+from nhc.mechanics.added_forms import added_forms
+from nhc.mechanics.frame import closed_rows, form_value
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.system import Form, Line, System
 

@@ -9,9 +9,10 @@ from typing import Any
 from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.exact.modular import Unlucky, is_zero
 from nhc.diagnostics import Bag, several
+from nhc.mechanics.added_forms import describe_added
 from nhc.mechanics.choosing.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.formulations.chaplygin import mark_letters
-from nhc.mechanics.frame import coordinate_frame, describe_added
+from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.properties.coframe import warn_of_dependent, warn_of_quasi_velocities
 from nhc.mechanics.properties.conserved import Integral, find_conserved
 from nhc.mechanics.properties.inertia import warn_of_inertia
@@ -34,10 +35,9 @@ _SHOWN, _READABLE = 6, 400  # minors that are written out; characters of one
 
 @dataclass
 class Facts:
-    """Lines for people, data for programs.
+    """Lines for people, data for programs; in ``marked``, which a derivation typesets, expressions stand between dollar signs.
 
-    In ``marked``, which a derivation typesets, expressions stand between dollar signs, which no name or expression of a spec
-    contains; ``lines``, for a terminal, are without them.
+    No name or expression of a spec contains these; ``lines``, for a terminal, are without them.
     """
 
     marked: dict[str, str] = field(default_factory=dict)

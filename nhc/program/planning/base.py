@@ -12,11 +12,12 @@ from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import Matrix, find_eliminated, without_sign
 from nhc.algebra.solving.determinants import in_determinants
 from nhc.algebra.walks import count, reachable
+from nhc.mechanics.added_forms import describe_added
 from nhc.mechanics.added_units import added_units
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
-from nhc.mechanics.frame import describe_added, kept_forms
+from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.regular.trials import usual_digits, usual_part
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.system import System

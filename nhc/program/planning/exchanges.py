@@ -89,7 +89,7 @@ class ExchangePlanner(Planner):
         right = substitute(g, rows, dict.fromkeys(sought, g.zero), named=False)
         column = tuple(g.neg(node) for node in right)
         self._first = SolvePlan(matrix, (column,), (sought,), _TOLERANCE, SINGULAR_FRAME, self.frame_what(), plain=True)
-        return tuple(self._fix(from_base(system, own, frame.turned)))
+        return tuple(self._fix(from_base(system, own, frame.bases)))
 
     def calls_rhs(self, name: str) -> bool:
         return False

@@ -13,9 +13,9 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.in_space import find_in_space
 from nhc.mechanics.invariant import at_zero
 from nhc.mechanics.lone_points import by_single_velocities
-from nhc.mechanics.spherical_tops import find_in_space
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.trees import FEW
 from nhc.program.plan import factor, solve_factored
@@ -87,7 +87,8 @@ def mass_route(
     least = min(count(g, way.values) for way in found)
     if not straight:
         in_space = find_in_space(full, kept)
-        detour = find_detour(full, kept) if not full.system.l or least <= _SHORT * size else None
+        bound = full.system.l > len(full.system.rotations)  # by more than the lengths of quaternions
+        detour = find_detour(full, kept) if not bound or least <= _SHORT * size else None
         found += [_by(way, full, put_in) for way in (detour, *in_space) if way is not None]
         found += _with_other_energies(full, put_in, kept)
         least = min(count(g, way.values) for way in found)
@@ -99,7 +100,11 @@ def mass_route(
     def cost(way: MassRoute) -> float:
         return work(g, way.values) + CHAINED * size * way.chained
 
-    best = min(found, key=cost)
+    def moving(way: MassRoute) -> int:
+        """Pivots that must be watched: of a ball that rolls freely, whose rates are zero, nothing else is left."""
+        return sum(g.depends(pivot, ~g.mask(full.system.p)) for pivot, _ in way.pivots)
+
+    best = min(found, key=lambda way: (cost(way), moving(way)))
     return bodies if bodies is not None and _SHORTER * cost(bodies) < cost(best) else best
 
 
