@@ -19,7 +19,7 @@ from nhc.cli.options import (
 )
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, narrow_width, say, wants_colour
-from nhc.cli.write import deliver
+from nhc.cli.write import deliver, is_same_file
 
 if TYPE_CHECKING:
     from nhc.diagnostics import Source
@@ -82,6 +82,8 @@ def command(
         raise click.UsageError("`--dump` prints text: it goes with neither `--to` nor `--json`")
     to = to or ("json" if as_json else "text")
     source = open_spec(spec)
+    if output not in (None, "-") and is_same_file(output, spec):
+        raise click.UsageError(f"`-o {output}` is the spec itself, which the derivation would replace")
     shown = to == "text" and dump is None and output in (None, "-")
     width = narrow_width(sys.stdout, 100) if shown else 0  # 100 is the width of `nhc.emit.text.sheets`
 

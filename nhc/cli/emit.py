@@ -53,7 +53,9 @@ _WARNINGS = "<warnings>"  # among the texts of an answer; no file is called so
     required=True,
     help="The language of the files.",
 )
-@click.option("-o", "output", metavar="DIR|FILE", help="Where to write; default: the current folder, `-`: stdout.")
+@click.option(
+    "-o", "output", metavar="DIR|FILE", help="Where to write; default: the current folder, `-`: stdout for one file."
+)
 @click.option(
     "--stdout", "to_stdout", is_flag=True, help="Write to stdout; each of several files under a line with its name."
 )

@@ -37,6 +37,12 @@ def deliver(text: str, output: str | None, *, force: bool, fitted: bool = False)
     write_files({path: text})
 
 
+def is_same_file(output: str, other: str) -> bool:
+    """Whether two names, of which either may be none of a file, are of one."""
+    first, second = Path(output), Path(other)
+    return first.is_file() and second.is_file() and first.samefile(second)
+
+
 def is_stream(path: Path) -> bool:
     """Whether there is a device or a pipe."""
     return path.exists() and not (path.is_file() or path.is_dir())

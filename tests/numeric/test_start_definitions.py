@@ -95,3 +95,20 @@ def test_a_smaller_spec_keeps_those_of_its_start(tmp_path: Path, capsys: pytest.
     capsys.readouterr()
     assert main(["check", str(smaller)]) == 0
     assert "w*d/20" in smaller.read_text() and "w: sqrt(g/d)" in smaller.read_text()
+
+
+@pytest.mark.parametrize("quasi", ["", "quasi_velocities: {spin: 0.001*wx + wz, u: x'}\n"])
+def test_an_angular_velocity_says_nothing_of_quasi_velocities(quasi: str) -> None:
+    """What a scene leaves open is zero: components beside the one that is given, not a form that would make them large."""
+    text = "nhc: 1\nsystem: s\ncoordinates: [x]\nrotation: {R: {velocities: [wx, wy, wz], frame: space}}\n"
+    text += f"T: (x'^2 + wx^2 + wy^2 + wz^2)/2\n{quasi}scenes: {{go: {{initial: {{wz: 1}}, time: [0, 1]}}}}\n"
+    system = resolve(decode(Source("s.yaml", text)))
+    start = start_of(system, system.spec.scenes[0])
+    assert list(start.v) == pytest.approx([0, 0, 0, 0, 0.5])
+
+
+def test_a_derivation_does_not_replace_its_spec(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = write(tmp_path, "")
+    assert main(["derive", path, "-o", path, "--force"]) == 2
+    assert "is the spec itself" in capsys.readouterr().err
+    assert Path(path).read_text(encoding="utf-8").startswith("nhc: 1")

@@ -11,6 +11,8 @@ from nhc.algebra.bounds.common_zero import find_common_zero
 from nhc.algebra.bounds.interval import cannot_vanish
 from nhc.algebra.bounds.subdivision import cannot_vanish_together
 from nhc.algebra.graph import Graph, Node
+from nhc.diagnostics import Source
+from nhc.pipeline import check
 
 GRAPH = Graph()
 X, Y = GRAPH.symbol("x"), GRAPH.symbol("y")
@@ -134,3 +136,22 @@ def test_the_cosine_of_an_arc_vanishes_nowhere() -> None:
         g, g.function("sin", g.function("atan", x)), {}
     )
     assert not cannot_vanish(g, g.sub(arc, g.number(1)), {})
+
+
+@pytest.mark.parametrize(
+    ("text", "apart"),
+    [
+        ("exp(x)", True),
+        ("exp(-t/5)", True),
+        ("exp(sin(x) - y)*(2 - cos(y))", True),
+        ("(1 + x^2)/(1 + y^2)", True),
+        ("x*exp(x)", False),
+        ("exp(x) - 1", False),
+        ("(1 + x)/(1 + y^2)", False),
+    ],
+)
+def test_what_tends_to_zero_and_reaches_it_nowhere(text: str, apart: bool) -> None:
+    """Quasi-velocities are warned of where their determinant vanishes, not for exp x."""
+    spec = "nhc: 1\nsystem: w\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nconstraints: [z' = y*x']\n"
+    found = check(Source("w.yaml", f"{spec}quasi_velocities: {{u: x'*({text}), w: y'}}\n"), explain=False)
+    assert ("W0408" in {one.code for one in found.diagnostics}) != apart

@@ -173,3 +173,12 @@ def test_options_and_quotes_are_no_ligatures() -> None:
     assert escape_breakable("it''s") == "it'{}'s"
     assert "".join(split_shown("--" * 9, 4)).replace("{}", "") == "--" * 9
     assert "--" not in r"\allowbreak{}".join(split_shown("--" * 9, 4))
+
+
+def test_no_parameter_looks_like_a_function() -> None:
+    """`sin_` beside x would be a sine of x."""
+    text = "nhc: 1\nsystem: s\ncoordinates: [x]\nparameters: {sin_: 1, log_: 2, ln: 3}\nT: x'^2/2\n"
+    page = render(load(f"{text}V: sin_*x^2/2 + sin(x)*log_ + x*ln\n"))
+    for name in (r"sin\_", r"log\_", "ln"):
+        assert rf"\mathtt{{{name}}}" in page
+    assert not re.search(r"\\mathit\{(?:sin|log|ln)\}", page)

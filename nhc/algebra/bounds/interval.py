@@ -33,17 +33,27 @@ def list_bounds(graph: Graph, order: Sequence[Node], known: Mapping[Node, Interv
 
 
 def cannot_vanish(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> bool:
-    """Whether the root is bounded away from zero for symbols in their intervals, but for factors cos(atan x), which are
-    1/sqrt(1 + x^2): these tend to zero without limits to x, and reach it nowhere.
+    """Whether the root is bounded away from zero for symbols in their intervals, but for factors that tend to zero without limits
+    to their symbols, and reach it nowhere: cos(atan x), which is 1/sqrt(1 + x^2), exp(x), and one over what is away from zero.
     """
-    rest = [
-        factor for factor in _factors(graph, root) if graph.op[factor] != "cos" or graph.op[graph.a[factor]] != "atan"
-    ]
+    rest = [factor for factor in _factors(graph, root) if not _is_positive(graph, factor, known)]
     return excludes_zero(bounds(graph, graph.product(rest), known))
 
 
+def _is_positive(graph: Graph, factor: Node, known: Mapping[Node, Interval]) -> bool:
+    if graph.op[factor] == POW:
+        return graph.b[factor] < 0 and excludes_zero(bounds(graph, graph.a[factor], known))
+    return _tends_to_zero(graph, factor)
+
+
+def _tends_to_zero(graph: Graph, factor: Node) -> bool:
+    """Without reaching it."""
+    op = graph.op[factor]
+    return op == "exp" or (op == "cos" and graph.op[graph.a[factor]] == "atan")
+
+
 def _factors(graph: Graph, root: Node) -> list[Node]:
-    """The factors of a product and of its positive powers; the root alone where there is no cosine of an arc among them."""
+    """The factors of a product and of its positive powers; the root alone where there is none among them that tends to zero."""
     found, stack = list[Node](), [root]
     while stack:
         node = stack.pop()
@@ -53,8 +63,7 @@ def _factors(graph: Graph, root: Node) -> list[Node]:
             stack.append(graph.a[node])
         else:
             found.append(node)
-    arcs = any(graph.op[node] == "cos" and graph.op[graph.a[node]] == "atan" for node in found)
-    return found if arcs else [root]
+    return found if any(graph.op[node] == POW or _tends_to_zero(graph, node) for node in found) else [root]
 
 
 def excludes_zero(interval: Interval) -> bool:

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from nhc.emit.latex.spelling import escape_exactly, spell_base, spell_index, spell_part, spell_word
 from nhc.emit.latex.width import estimate
+from nhc.language.expressions.names import FUNCTIONS
 from nhc.program.sheets.model import Derivation, Item, Mark, Statement, Table
 
 WIDEST = 170.0
@@ -90,7 +91,8 @@ def name_document(derivation: Derivation) -> Names:
         first, *others = sorted(group, key=lambda name: (name in given, not name.isascii(), len(name)))
         listed |= dict.fromkeys([first, *others])
         changed |= {name: _typewriter(name) for name in others}
-    made = {_look(mark, Names(changed)) for mark in marks if mark.prefix or not _is_name(mark)} | {"d"}
+    made = {_look(mark, Names(changed)) for mark in marks if mark.prefix or not _is_name(mark)}
+    made |= {"d", "ln", *FUNCTIONS}  # `sin_` beside x looks like a sine of x
     # d times x' looks like the differential dx', dx stands beside x, Delta_1 beside the first of nhc's determinants
     for name in bases:
         if name in given and name not in changed and _look(Mark(name)) in made:

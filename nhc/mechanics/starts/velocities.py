@@ -138,7 +138,11 @@ def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[For
     dependent = system.dependent or choose_dependent(system).dependent
     independent = [i for i in range(system.n) if i not in dependent]
     coordinates = [coordinate_form(system, i) for i in (*independent, *dependent)]
-    if any(kind == "quasi" for kind, _ in given):
+    asked = [name for kind, name in given if kind == "quasi"]
+    angular = [form for form in system.quasi if form.name in system.angular]
+    if any(name not in system.angular for name in asked):
         return [*system.quasi, *coordinates]
+    if asked:  # angular velocities alone say nothing of the spec's own quasi-velocities
+        return [*angular, *coordinates]
     first = [coordinate_form(system, i) for i in independent if system.q_names[i] not in system.turned]
-    return [*first, *(form for form in system.quasi if form.name in system.angular), *coordinates]
+    return [*first, *angular, *coordinates]
