@@ -95,12 +95,10 @@ def _make_detour(equations: Equations, kept: Sequence[Form]) -> Detour | None:
 def _by_way_of(forms: Sequence[Form], equations: Equations, kinetic: Kinetic, kept: Sequence[Form]) -> Detour | None:
     """None where these forms are no basis, or are singular where the state's velocities are not."""
     system, motion = equations.system, equations.motion
-    g, number = system.graph, "I.2.15" if system.l else "I.2.14"
-    try:
-        frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
-        made = equations_of(system, Formulation("euler-lagrange", number, frame, None, (), ""), kinetic)
-    except Singular:
+    g, found = system.graph, equations_over(system, forms, [velocity_symbol(system, form) for form in forms], kinetic)
+    if found is None:
         return None
+    frame, made = found
     if not made.definite or not _is_sound(frame, made, equations):
         return None
     by_w, by_u = moving(system, motion.velocities), moving(system, frame.kinematics)
@@ -112,6 +110,18 @@ def _by_way_of(forms: Sequence[Form], equations: Equations, kinetic: Kinetic, ke
         drift = [g.zero if gone else x for x, gone in zip(drift, are_zero(g, drift), strict=True)]
     back = tuple(substitute(g, [form_value(system, form) for form in kept], by_u))
     return Detour(made, frame, put_in, tuple(drift), back, _swirl(system, frame, put_in, drift))
+
+
+def equations_over(
+    system: System, forms: Sequence[Form], symbols: Sequence[Node], kinetic: Kinetic
+) -> tuple[Frame, Equations] | None:
+    """The Euler-Lagrange equations over quasi-velocities; None where these are no basis."""
+    try:
+        frame = make_frame(system, forms, symbols)
+        number = "I.2.15" if system.l else "I.2.14"
+        return frame, equations_of(system, Formulation("euler-lagrange", number, frame, None, (), ""), kinetic)
+    except Singular:
+        return None
 
 
 def _swirl(system: System, frame: Frame, values: Mapping[Node, Node], drift: Sequence[Node]) -> tuple[Node | None, ...]:

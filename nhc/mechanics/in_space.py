@@ -12,16 +12,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.adapt import with_places
-from nhc.mechanics.choosing.choose import Formulation
-from nhc.mechanics.detour import Detour
+from nhc.mechanics.detour import Detour, equations_over
 from nhc.mechanics.energies.kinetic import kinetic_structure
-from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.frame import form_value, make_frame, total_derivative, velocity_symbol
+from nhc.mechanics.frame import form_value, total_derivative, velocity_symbol
 from nhc.mechanics.rotations.rotation import put
 from nhc.mechanics.rotations.turning import moving
 from nhc.mechanics.spherical_tops import Top, put_in_space, read_tops
@@ -57,13 +54,10 @@ def _detour(equations: Equations, system: System, forms: Sequence[Form], tops: S
             symbols[place], values[symbol] = symbol, g.dot(row, own)
         for place, column in zip(top.kept, zip(*top.own.matrix, strict=True), strict=True):
             back[place] = g.dot(column, there)
-    try:
-        frame = make_frame(system, forms, symbols)
-        made = equations_of(
-            system, Formulation("euler-lagrange", "I.2.15", frame, None, (), ""), kinetic_structure(system)
-        )
-    except Singular:
+    found = equations_over(system, forms, symbols, kinetic_structure(system))
+    if found is None:
         return None
+    frame, made = found
     return Detour(made, frame, values, (g.zero,) * len(w), tuple(back))
 
 
@@ -85,14 +79,10 @@ def _by_places(
     forms = with_places(made, (), first)
     if forms == first:
         return None
-    symbols = [velocity_symbol(made, form) for form in forms]
-    try:
-        frame = make_frame(made, forms, symbols)
-        inner = equations_of(
-            made, Formulation("euler-lagrange", "I.2.15", frame, None, (), ""), kinetic_structure(made)
-        )
-    except Singular:
+    found = equations_over(made, forms, [velocity_symbol(made, form) for form in forms], kinetic_structure(made))
+    if found is None:
         return None
+    frame, inner = found
     on_there = moving(made, there.frame.kinematics)
     for node, symbol in zip(own, (there.frame.free[place] for top in tops for place in top.kept), strict=True):
         put(g, on_there, node, symbol)

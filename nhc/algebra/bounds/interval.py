@@ -36,11 +36,11 @@ def cannot_vanish(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> b
     """Whether the root is bounded away from zero for symbols in their intervals, but for factors that tend to zero without limits
     to their symbols, and reach it nowhere: cos(atan x), which is 1/sqrt(1 + x^2), exp(x), and one over what is away from zero.
     """
-    rest = [factor for factor in _factors(graph, root) if not _is_positive(graph, factor, known)]
+    rest = [factor for factor in _factors(graph, root) if not _reaches_no_zero(graph, factor, known)]
     return excludes_zero(bounds(graph, graph.product(rest), known))
 
 
-def _is_positive(graph: Graph, factor: Node, known: Mapping[Node, Interval]) -> bool:
+def _reaches_no_zero(graph: Graph, factor: Node, known: Mapping[Node, Interval]) -> bool:
     if graph.op[factor] == POW:
         return graph.b[factor] < 0 and excludes_zero(bounds(graph, graph.a[factor], known))
     return _tends_to_zero(graph, factor)
