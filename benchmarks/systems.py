@@ -20,7 +20,7 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
     ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine``,
-    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>``, ``spherical<N>`` or ``turned_top``.
+    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>``, ``spherical<N>``, ``turned_top`` or ``dome``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -339,6 +339,23 @@ def _bowl(_: int, __: bool) -> str:
     )
 
 
+def _dome(_: int, __: bool) -> str:
+    """A ball that rolls on a fixed sphere, by two coordinates of its centre and its angular velocity."""
+    return _assemble(
+        "dome",
+        [
+            ("coordinates", "[x, y]"),
+            ("rotation", ["R: {velocities: [wx, wy, wz], frame: space}"]),
+            ("parameters", "{m: 1, a: 0.1, b: 2.5, g: 9.81}"),
+            ("define", ["z: sqrt((a + b)^2 - x^2 - y^2)", "nx: x/(a + b)", "ny: y/(a + b)", "nz: z/(a + b)"]),
+            ("T", "m/2*(x'^2 + y'^2 + z'^2) + m*a^2/5*(wx^2 + wy^2 + wz^2)"),
+            ("V", "m*g*z"),
+            ("constraints", ["- x' - a*(wy*nz - wz*ny) = 0", "- y' - a*(wz*nx - wx*nz) = 0"]),
+            _scene("wz: 150"),
+        ],
+    )
+
+
 def _turned_top(_: int, __: bool) -> str:
     """A heavy top whose quasi-velocities are on its own axes, written with the angular velocity in space."""
     own = [f"B_x{k}*p + B_y{k}*q + B_z{k}*r" for k in (1, 2, 3)]
@@ -527,6 +544,7 @@ _FAMILIES = {
     "bicycle": _bicycle,
     "bowl": _bowl,
     "turned_top": _turned_top,
+    "dome": _dome,
     "arm": _arm,
     "belt_egg": _belt_egg,
     "submarine": _submarine,

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.nodes import Rational
+from nhc.algebra.walks import reachable
 from nhc.records import fresh, record
 
 _ONE = Fraction(1)
@@ -155,3 +156,9 @@ def _outer_parameters(graph: Graph, term: Node, mask: int) -> tuple[Node, Node]:
         else:
             rest = graph.mul(rest, node)
     return tidy(graph, outer, mask), graph.neg(rest) if negative else rest
+
+
+def divisors_in(graph: Graph, nodes: Sequence[Node]) -> set[Node]:
+    """The factors of all that stands below a fraction line, apart from numbers."""
+    below = (graph.a[node] for node in reachable(graph, nodes) if graph.op[node] == POW and graph.b[node] < 0)
+    return {base for node in below for base in split_powers(graph, node)[1]}

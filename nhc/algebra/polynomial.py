@@ -12,6 +12,7 @@ from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
 
+from nhc.algebra.divided import divide_sums
 from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge, is_length
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.terms import add_term
@@ -215,19 +216,26 @@ def _shorter(graph: Graph, node: Node, limit: int) -> Node:
     Raises:
         TooLarge: both have too many terms.
     """
-    open_, forms = _expander(graph, limit), []
+    open_, forms = _expander(graph, limit), list[Node]()
     try:
-        forms.append(to_node(graph, open_.expand([node])[0]))
+        forms += _forms(graph, open_, node)
         if node not in open_.opened:
-            return forms[0]
+            return min(forms, key=lambda form: _cost(graph, form))
     except TooLarge:
         if not any(is_length(graph, inner) for inner in reachable(graph, [node], graph.still)):
             raise
     with suppress(TooLarge):
-        forms.append(to_node(graph, _expander(graph, limit, True).expand([node])[0]))
+        forms += _forms(graph, _expander(graph, limit, True), node)
     if not forms:
         raise TooLarge
     return min(forms, key=lambda form: _cost(graph, form))
+
+
+def _forms(graph: Graph, expander: Expander, node: Node) -> list[Node]:
+    """The polynomial as it is, and divided by the sums below its fraction lines where it has fewer terms then."""
+    p = expander.expand([node])[0]
+    q = divide_sums(graph, p, lambda inner: expander.expand([inner])[0])
+    return [to_node(graph, p)] if q is p else [to_node(graph, p), to_node(graph, q)]
 
 
 def _cost(graph: Graph, node: Node) -> int:

@@ -13,12 +13,12 @@ from itertools import combinations, islice
 from nhc.algebra.calculus import tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, rank
-from nhc.algebra.graph import POW, Graph, Node
-from nhc.algebra.parts import split_powers
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.parts import divisors_in
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.solving.blocks import find_eliminated, without_sign
-from nhc.algebra.walks import count, reachable
+from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.energies.kinetic import Kinetic, kinetic_structure, rates_of_positions, velocity_forms
@@ -143,14 +143,8 @@ def _is_sound(frame: Frame, made: Equations, equations: Equations) -> bool:
         return False
     system = equations.system
     g = system.graph
-    allowed = _divisors(g, [system.T, *equations.motion.velocities])
-    return _divisors(g, [x for row in made.mass for x in row]) <= allowed
-
-
-def _divisors(g: Graph, nodes: Sequence[Node]) -> set[Node]:
-    """The factors of all that stands below a fraction line, apart from numbers."""
-    below = (g.a[node] for node in reachable(g, nodes) if g.op[node] == POW and g.b[node] < 0)
-    return {base for node in below for base in split_powers(g, node)[1]}
+    allowed = divisors_in(g, [system.T, *equations.motion.velocities])
+    return divisors_in(g, [x for row in made.mass for x in row]) <= allowed
 
 
 def _choose_forms(system: System, kinetic: Kinetic, kept: Sequence[Form]) -> Iterator[tuple[Form, ...]]:

@@ -37,6 +37,7 @@ WHOLE = {
     "shared products": "trailers3",  # a system on which the rule changes the right-hand side
     "shared sums": "bicycle",
     "canonical forms": "disk",
+    "divided sums": "dome",
     "gathered sums": "trailers3",
     "Cramer's rule": "bicycle",
     "orthonormal rows": "submarine",
@@ -56,6 +57,7 @@ WHOLE = {
     "lone points": "spherical2",
     "spherical tops": "bowl",
     "other axes": "turned_top",
+    "short inverses": "dome",
     "order of pivots": "satellite3",
     "still pivots": "smooth_tippe_top",
     "pieces": "voronec_particle",

@@ -32,6 +32,11 @@ RULES = (
         "algebra/rewriting/shorten.py",
     ),
     Rule(
+        "divided sums",
+        "x^2/(l^2 - x^2) + 1 becomes l^2/(l^2 - x^2): what stands above a fraction line is divided by the sum below it",
+        "algebra/divided.py",
+    ),
+    Rule(
         "gathered sums",
         "a mass or speed that many products of a sum share is taken out of the sum; "
         "so is the direction along which a potential and another force act",
@@ -126,6 +131,11 @@ RULES = (
         "other axes",
         "an angular velocity is solved for on the axes on which quasi-velocities and constraints do not hold the orientation",
         "mechanics/rotations/other_axes.py",
+    ),
+    Rule(
+        "short inverses",
+        "pairs of rates whose determinant is short are solved for by Cramer's rule, a diagonal and a product v v^T by rank one",
+        "program/planning/short_inverse.py",
     ),
     Rule(
         "order of pivots",

@@ -1,4 +1,6 @@
-"""How the rates are solved for: by the dense L D L^T, from the leaves of a tree to its root, or by way of angular velocities."""
+"""How the rates are solved for: by the dense L D L^T, by short inverses of blocks, from the leaves of a tree to its root, or by way
+of angular velocities.
+"""
 
 from __future__ import annotations
 
@@ -19,6 +21,7 @@ from nhc.mechanics.lone_points import by_single_velocities
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.trees import FEW
 from nhc.program.plan import factor, solve_factored
+from nhc.program.planning.short_inverse import short_inverse
 from nhc.records import fresh, structure
 
 if TYPE_CHECKING:
@@ -40,6 +43,8 @@ _APART = 40
 """Operations for each rate, from which bodies in space are also taken each on its own axes."""
 _SHORTER = 1.05
 """How many times as long another way has to be for that."""
+_REFUSES = 1.02
+"""How many times as short a detour with a coframe of its own has to be."""
 _MOST_BODIES = 20
 """Rates up to which the matrix of bodies may be shorter than the elimination along their tree."""
 
@@ -75,7 +80,7 @@ def mass_route(
         found.append(_along(equations, full.tree, put_in))
     else:
         dense = _dense(equations)
-        found.append(dense)
+        found += [dense, *_in_blocks(equations, dense)]
         tree = _other_tree(full) if not _is_small(full) or _is_long(full, dense) else None
         if tree is not None:
             along = _along(equations, tree, put_in)
@@ -97,12 +102,14 @@ def mass_route(
         return found[0]
     from nhc.mechanics.trees.choice import CHAINED, work
 
-    def cost(way: MassRoute) -> float:
-        return work(g, way.values) + CHAINED * size * way.chained
-
     def moving(way: MassRoute) -> int:
         """Pivots that must be watched: of a ball that rolls freely, whose rates are zero, nothing else is left."""
         return sum(g.depends(pivot, ~g.mask(full.system.p)) for pivot, _ in way.pivots)
+
+    def cost(way: MassRoute) -> float:
+        waits = way.chained and moving(way) > 0
+        refuses = _REFUSES if way.turned else 1  # near what a detour's own coframe is singular at
+        return refuses * work(g, way.values) + CHAINED * size * waits
 
     best = min(found, key=lambda way: (cost(way), moving(way)))
     return bodies if bodies is not None and _SHORTER * cost(bodies) < cost(best) else best
@@ -220,6 +227,18 @@ def _other_tree(equations: Equations) -> Elimination | None:
 
 def _dense(equations: Equations) -> MassRoute:
     return _by_matrix(equations.system, equations.mass, equations.force)
+
+
+def _in_blocks(equations: Equations, dense: MassRoute) -> list[MassRoute]:
+    """By the short inverses of blocks, where these are shorter for it."""
+    found = short_inverse(equations.system, equations.mass) if equations.definite else None
+    if found is None:
+        return []
+    pivots, solve = found
+    g = equations.system.graph
+    values = shorten(g, solve(equations.force))
+    shorter = _SHORTER * count(g, [*values, *(pivot for pivot, _ in pivots)]) < count(g, dense.values)
+    return [MassRoute(values, pivots, solve)] if shorter else []
 
 
 def _by_matrix(system: System, mass: Sequence[Sequence[Node]], force: Sequence[Node]) -> MassRoute:

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:84df0219a7d129de)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:26925fbd9751d8aa)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of the spec (x', y', z',
@@ -2930,9 +2930,9 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     kept[322] = z377;
     const double z378 = e2z * k61 - (k28 * z345 + (k26 * z344 - k27 * z333) - (z337 * z374 - z331 * z376));
     kept[323] = z378;
-    const double z379 = z187 * z187;
+    const double z379 = z184 * (1.0 / c_roll);
     kept[324] = z379;
-    const double z380 = z184 * (1.0 / c_roll);
+    const double z380 = z187 * z187;
     kept[325] = z380;
     const double z133 = kept[160];
     const double z140 = kept[165];
@@ -3802,13 +3802,13 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const double z131 = kept[158];
     const double z205 = kept[214];
     const double z293 = kept[245];
-    const double z380 = kept[325];
+    const double z379 = kept[324];
     const bicycle_lanes z510 = bicycle_get(carried + 88 * BICYCLE_LANES);
     const bicycle_lanes z521 = bicycle_get(carried + 98 * BICYCLE_LANES);
     const bicycle_lanes z524 = bicycle_get(carried + 101 * BICYCLE_LANES);
     const bicycle_lanes z549 = bicycle_get(carried + 114 * BICYCLE_LANES);
     const bicycle_lanes z572 = bicycle_get(carried + 126 * BICYCLE_LANES);
-    const bicycle_lanes z596 = 2.0 * (z293 * z521 * z380) + (z524 - z205 * z510 + z131 * z549 + z88 * z572 -
+    const bicycle_lanes z596 = 2.0 * (z293 * z521 * z379) + (z524 - z205 * z510 + z131 * z549 + z88 * z572 -
         z51 * z595);
     const double z331 = kept[282];
     const double z337 = kept[289];
@@ -4140,9 +4140,9 @@ BICYCLE_SLOW static void bicycle_jacobian_sweep2_part2(double t, const double *y
     const bicycle_lanes z699 = z5 * (z187 * (z285 * z450 - z288 * z457 + z282 * z459 - z6 * z684 + z19 *
         z698));
     const double z283 = kept[235];
-    const double z379 = kept[324];
+    const double z380 = kept[325];
     const bicycle_lanes z458 = bicycle_get(carried + 55 * BICYCLE_LANES);
-    const bicycle_lanes z700 = z283 * z458 * z379 + 0.5 * z699;
+    const bicycle_lanes z700 = z283 * z458 * z380 + 0.5 * z699;
     const double z4 = kept[40];
     const bicycle_lanes z701 = z685 + 2.0 * (z4 * z700);
     const bicycle_lanes z702 = z673 + c_steer * z701;

@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:749c7fe6cee0c42f).
+"""bicycle, emitted by nhc 0.1.0 (nhc:2faf9f6efef38271).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -2238,8 +2238,8 @@ def jacobian(
         z377 = z3 * k61 - s34
         s35 = k28 * z345 + (k26 * z344 - k27 * z333)
         z378 = e2z * k61 - (s35 - (z337 * z374 - z331 * z376))
-        z379 = z187 * z187
-        z380 = z184 * (1.0 / c_roll)
+        z379 = z184 * (1.0 / c_roll)
+        z380 = z187 * z187
         s36 = z140 * z371 - (z144 * z372 - (z142 * z377 - z149 * z375))
         z381 = z148 * z364 - (z133 * z367 + s36)
         s37 = z145 * z358 - (z150 * z361 - (z143 * z363 - z381))
@@ -2762,7 +2762,7 @@ def jacobian(
             z594 = z592 + c_steer * z593
             z595 = c1 * z588 - s1 * z594
             s99 = z524 - z205 * z510 + z131 * z549 + z88 * z572 - z51 * z595
-            z596 = 2.0 * (z293 * z521 * z380) + s99
+            z596 = 2.0 * (z293 * z521 * z379) + s99
             z597 = z331 * z417 + z337 * z421
             s100 = z378 * z395 - z81 * z573 + k28 * z580 - k27 * z581
             z598 = roll_dot * z597 - (s100 + k26 * z582)
@@ -2906,7 +2906,7 @@ def jacobian(
             z698 = z687 + z25 * z688 + z40 * z618 - z42 * z619 + (z694 - s138)
             s139 = z285 * z450 - z288 * z457 + z282 * z459 - z6 * z684
             z699 = z5 * (z187 * (s139 + z19 * z698))
-            z700 = z283 * z458 * z379 + 0.5 * z699
+            z700 = z283 * z458 * z380 + 0.5 * z699
             z701 = z685 + 2.0 * (z4 * z700)
             z702 = z673 + c_steer * z701
             s140 = z276 * z460 + k67 * z399 - k66 * z400 - k64 * z399

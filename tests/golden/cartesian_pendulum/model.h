@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:e3c03c1f402edc9c)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:a27abe027a65bed6)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -27,7 +27,7 @@
  * accelerations: 3 +-, 10 *, 1 /, 0 calls
  * state: 2 +-, 4 *, 1 /, 0 calls
  * residuals: 1 +-, 2 *, 0 /, 0 calls
- * reactions: 3 +-, 8 *, 1 /, 0 calls
+ * reactions: 2 +-, 6 *, 1 /, 0 calls
  * energy: 2 +-, 8 *, 0 /, 0 calls
  * jacobian: 2 +-, 13 *, 1 /, 0 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls

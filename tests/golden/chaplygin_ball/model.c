@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b94e53f890c0dcca)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:9b1d2c6147ce17ee)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -250,63 +250,61 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *restr
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
+    const double k5 = I2 + k1;
+    const double k6 = I1 + k1;
+    const double k7 = I3 + k1;
+    const double k8 = 1.0 / k6;
+    const double k9 = 1.0 / k5;
+    const double k10 = 1.0 / k7;
+    const double k11 = k8 - k9;
+    const double k12 = k9 - k10;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
-    const double z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
-    const double z4 = k1 * z1;
-    const double z5 = s_psi * c_psi * z4;
-    const double z6 = 1.0 / z2;
-    const double z7 = z6 * z5;
-    const double z8 = z3 - z5 * z7;
-    const double z9 = I3 + z4;
-    const double z10 = c_theta * (s_theta * k1);
-    const double z11 = s_psi * z10;
-    const double z12 = z6 * z11;
-    const double z13 = c_psi * z10 + z5 * z12;
-    const double z14 = 1.0 / z8;
-    const double z15 = z13 * z14;
-    const double z16 = z9 - z11 * z12 - z13 * z15;
-    const double z17 = s_psi * w2 - c_psi * w1;
-    const double v2_x = a * z17;
-    const double z18 = (c_psi * w2 + s_psi * w1) / s_theta;
-    const double z19 = w3 - c_theta * z18;
-    const double z20 = a * (s_theta * z19);
-    const double z21 = w2 * w3 * k2;
-    const double z22 = w1 * w3 * k3 - z21 * z7;
-    const double z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16;
-    const double z24 = z14 * z22 - z15 * z23;
+    const double z1 = 1.0 - k1 * (k10 + s_theta * s_theta * (s_psi * s_psi * k11 + k12));
+    const double z2 = s_psi * w2 - c_psi * w1;
+    const double v2_x = a * z2;
+    const double z3 = (c_psi * w2 + s_psi * w1) / s_theta;
+    const double z4 = w3 - c_theta * z3;
+    const double z5 = s_theta * (a * z4);
+    const double z6 = w2 * w3 * k2;
+    const double z7 = s_theta * s_psi;
+    const double z8 = w1 * w2 * k4;
+    const double z9 = w1 * w3 * k3;
+    const double z10 = s_theta * c_psi;
+    const double z11 = k1 / z1 * (z8 * (c_theta * k10) + (z6 * (z7 * k8) - z9 * (z10 * k9)));
     /* (I.2.4) */
-    dydt[0] = -(s_phi * v2_x + c_phi * z20); /* x' */
-    dydt[1] = c_phi * v2_x - s_phi * z20; /* y' */
-    dydt[2] = z18; /* phi' */
-    dydt[3] = -z17; /* theta' */
-    dydt[4] = z19; /* psi' */
+    dydt[0] = -(s_phi * v2_x + c_phi * z5); /* x' */
+    dydt[1] = c_phi * v2_x - s_phi * z5; /* y' */
+    dydt[2] = z3; /* phi' */
+    dydt[3] = -z2; /* theta' */
+    dydt[4] = z4; /* psi' */
     /* (I.2.15) 25:4 */
-    dydt[5] = z21 * z6 - z7 * z24 + z12 * z23; /* w1' */
-    dydt[6] = -z24; /* w2' */
-    dydt[7] = z23; /* w3' */
+    dydt[5] = k8 * (z6 + z7 * z11); /* w1' */
+    dydt[6] = (z10 * z11 - z9) * k9; /* w2' */
+    dydt[7] = k10 * (z8 + c_theta * z11); /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[5] + dydt[6]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z8) > 1e-13 * z3
-        && fabs(z16) > 1e-13 * z9)) {
+        && fabs(z1) > 1e-13)) {
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k5 is 0 */
+        if (!(fabs(k5) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k5), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k6 is 0 */
+        if (!(fabs(k6) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k6), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k7 is 0 */
+        if (!(fabs(k7) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k7), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
         /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
-        if (!(fabs(z2) > 0.0)) {
-            return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
-        if (!(fabs(z8) > 1e-13 * z3)) {
-            return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z16 is nearly 0 */
-        if (!(fabs(z16) > 1e-13 * z9)) {
-            return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z1 is nearly 0 */
+        if (!(fabs(z1) > 1e-13)) {
+            return chaplygin_ball_refuse(fabs(z1), 1e-13, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(8, dydt);
     }
@@ -388,73 +386,72 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
+    const double k5 = I2 + k1;
+    const double k6 = I1 + k1;
+    const double k7 = I3 + k1;
+    const double k8 = 1.0 / k6;
+    const double k9 = 1.0 / k5;
+    const double k10 = 1.0 / k7;
+    const double k11 = k8 - k9;
+    const double k12 = k9 - k10;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
-    const double z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
-    const double z4 = k1 * z1;
-    const double z5 = s_psi * c_psi * z4;
-    const double z6 = 1.0 / z2;
-    const double z7 = z6 * z5;
-    const double z8 = z3 - z5 * z7;
-    const double z9 = I3 + z4;
-    const double z10 = c_theta * (s_theta * k1);
-    const double z11 = s_psi * z10;
-    const double z12 = z6 * z11;
-    const double z13 = c_psi * z10 + z5 * z12;
-    const double z14 = 1.0 / z8;
-    const double z15 = z13 * z14;
-    const double z16 = z9 - z11 * z12 - z13 * z15;
-    const double z17 = s_psi * w2 - c_psi * w1;
-    const double v2_x = a * z17;
-    const double z18 = 1.0 / s_theta;
-    const double z19 = c_psi * w2 + s_psi * w1;
-    const double z20 = z18 * z19;
-    const double z21 = c_phi * z20;
-    const double z22 = w3 - c_theta * z20;
-    const double z23 = c_psi * z22;
-    const double z24 = w2 * w3 * k2;
-    const double z25 = w1 * w3 * k3 - z24 * z7;
-    const double z26 = (w1 * w2 * k4 + z24 * z12 - z15 * z25) / z16;
-    const double z27 = z14 * z25 - z15 * z26;
-    const double z28 = s_psi * z22;
-    const double z29 = z24 * z6 - z7 * z27 + z12 * z26;
-    const double z30 = w2 * z23 - s_psi * z27 + (w1 * z28 - c_psi * z29);
-    const double z31 = a * z30;
-    const double z32 = a * z22;
-    const double z33 = s_theta * z32;
-    const double z34 = s_phi * z20;
-    const double z35 = c_theta * z17;
-    const double z36 = z18 * z18 * (z19 * z35) - z18 * (w2 * z28 + c_psi * z27 - (w1 * z23 + s_psi * z29));
-    const double z37 = z26 - (z19 * z17 + c_theta * z36);
-    const double z38 = z32 * z35 - a * (s_theta * z37);
+    const double z1 = 1.0 - k1 * (k10 + s_theta * s_theta * (s_psi * s_psi * k11 + k12));
+    const double z2 = s_psi * w2 - c_psi * w1;
+    const double v2_x = a * z2;
+    const double z3 = 1.0 / s_theta;
+    const double z4 = c_psi * w2 + s_psi * w1;
+    const double z5 = z3 * z4;
+    const double z6 = c_phi * z5;
+    const double z7 = w3 - c_theta * z5;
+    const double z8 = c_psi * z7;
+    const double z9 = w1 * w3 * k3;
+    const double z10 = s_theta * c_psi;
+    const double z11 = w1 * w2 * k4;
+    const double z12 = w2 * w3 * k2;
+    const double z13 = s_theta * s_psi;
+    const double z14 = k1 / z1 * (z11 * (c_theta * k10) + (z12 * (z13 * k8) - z9 * (z10 * k9)));
+    const double z15 = k9 * (z9 - z10 * z14);
+    const double z16 = s_psi * z7;
+    const double z17 = k8 * (z12 + z13 * z14);
+    const double z18 = w2 * z8 - s_psi * z15 + (w1 * z16 - c_psi * z17);
+    const double z19 = a * z18;
+    const double z20 = a * z7;
+    const double z21 = s_theta * z20;
+    const double z22 = s_phi * z5;
+    const double z23 = c_theta * z2;
+    const double z24 = z4 * (z23 * (z3 * z3)) - z3 * (w2 * z16 + c_psi * z15 - (w1 * z8 + s_psi * z17));
+    const double z25 = k10 * (z11 + c_theta * z14) - (z5 * (s_theta * z2) + c_theta * z24);
+    const double z26 = z20 * z23 - s_theta * (a * z25);
     /* (I.2.15) */
-    qddot[0] = z33 * z34 + c_phi * z38 - (v2_x * z21 + s_phi * z31); /* x'' */
-    qddot[1] = -(v2_x * z34 - c_phi * z31 + (z33 * z21 - s_phi * z38)); /* y'' */
-    qddot[2] = z36; /* phi'' */
-    qddot[3] = -z30; /* theta'' */
-    qddot[4] = z37; /* psi'' */
+    qddot[0] = z21 * z22 + c_phi * z26 - (v2_x * z6 + s_phi * z19); /* x'' */
+    qddot[1] = -(v2_x * z22 - c_phi * z19 + (z21 * z6 - s_phi * z26)); /* y'' */
+    qddot[2] = z24; /* phi'' */
+    qddot[3] = -z18; /* theta'' */
+    qddot[4] = z25; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z8) > 1e-13 * z3
-        && fabs(z16) > 1e-13 * z9)) {
+        && fabs(z1) > 1e-13)) {
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k5 is 0 */
+        if (!(fabs(k5) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k5), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k6 is 0 */
+        if (!(fabs(k6) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k6), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k7 is 0 */
+        if (!(fabs(k7) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k7), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
         /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
-        if (!(fabs(z2) > 0.0)) {
-            return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
-        if (!(fabs(z8) > 1e-13 * z3)) {
-            return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z16 is nearly 0 */
-        if (!(fabs(z16) > 1e-13 * z9)) {
-            return chaplygin_ball_refuse(fabs(z16), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z1 is nearly 0 */
+        if (!(fabs(z1) > 1e-13)) {
+            return chaplygin_ball_refuse(fabs(z1), 1e-13, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(5, qddot);
     }
@@ -562,61 +559,57 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     const double k3 = I2 - I3;
     const double k4 = I1 - I3;
     const double k5 = I1 - I2;
+    const double k6 = I2 + k1;
+    const double k7 = I1 + k1;
+    const double k8 = I3 + k1;
+    const double k9 = 1.0 / k7;
+    const double k10 = 1.0 / k6;
+    const double k11 = 1.0 / k8;
+    const double k12 = k9 - k10;
+    const double k13 = k10 - k11;
 
     /* from the state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
-    const double z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
-    const double z4 = k1 * z1;
-    const double z5 = s_psi * c_psi * z4;
-    const double z6 = 1.0 / z2;
-    const double z7 = z6 * z5;
-    const double z8 = z3 - z5 * z7;
-    const double z9 = I3 + z4;
-    const double z10 = s_psi * c_theta;
-    const double z11 = s_theta * k1;
-    const double z12 = z10 * z11;
-    const double z13 = z6 * z12;
-    const double z14 = c_psi * c_theta;
-    const double z15 = z14 * z11 + z5 * z13;
-    const double z16 = 1.0 / z8;
-    const double z17 = z16 * z15;
-    const double z18 = z9 - z12 * z13 - z15 * z17;
-    const double z19 = w2 * w3 * k3;
-    const double z20 = w1 * w3 * k4 - z19 * z7;
-    const double z21 = (w1 * w2 * k5 + z19 * z13 - z20 * z17) / z18;
-    const double z22 = s_theta * k2 * z21;
-    const double z23 = z16 * z20 - z17 * z21;
-    const double z24 = k2 * (z19 * z6 - z7 * z23 + z13 * z21);
-    const double z25 = k2 * z23;
-    const double z26 = c_phi * z22 - ((c_psi * s_phi + c_phi * z10) * z24 + (s_psi * s_phi - c_phi * z14) *
-        z25);
-    const double z27 = s_phi * z22 + ((c_psi * c_phi - s_phi * z10) * z24 + (s_psi * c_phi + s_phi * z14) *
-        z25);
+    const double z1 = 1.0 - k1 * (k11 + s_theta * s_theta * (s_psi * s_psi * k12 + k13));
+    const double z2 = w1 * w2 * k5;
+    const double z3 = s_theta * s_psi;
+    const double z4 = w2 * w3 * k3;
+    const double z5 = s_theta * c_psi;
+    const double z6 = w1 * w3 * k4;
+    const double z7 = k1 * ((k11 * (c_theta * z2) + (k9 * (z3 * z4) - k10 * (z5 * z6))) / z1);
+    const double z8 = s_theta * k2 * (k11 * (z2 + c_theta * z7));
+    const double z9 = s_psi * c_theta;
+    const double z10 = k2 * (k9 * (z4 + z3 * z7));
+    const double z11 = c_psi * c_theta;
+    const double z12 = k2 * (k10 * (z6 - z5 * z7));
+    const double z13 = c_phi * z8 - ((c_phi * z9 + c_psi * s_phi) * z10 + (s_psi * s_phi - c_phi * z11) *
+        z12);
+    const double z14 = s_phi * z8 - ((s_phi * z9 - c_psi * c_phi) * z10 - (s_psi * c_phi + s_phi * z11) *
+        z12);
     /* (I.4.1) 27:5 */
-    lambda[0] = -z26; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z13; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
-    lambda[1] = -z27; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = -z14; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
-        && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z8) > 1e-13 * z3
-        && fabs(z18) > 1e-13 * z9)) {
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(z1) > 1e-13)) {
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k6 is 0 */
+        if (!(fabs(k6) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k6), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k7 is 0 */
+        if (!(fabs(k7) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k7), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k8 is 0 */
+        if (!(fabs(k8) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k8), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
         /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z2 is 0 */
-        if (!(fabs(z2) > 0.0)) {
-            return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
-        if (!(fabs(z8) > 1e-13 * z3)) {
-            return chaplygin_ball_refuse(fabs(z8), 1e-13 * z3, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z18 is nearly 0 */
-        if (!(fabs(z18) > 1e-13 * z9)) {
-            return chaplygin_ball_refuse(fabs(z18), 1e-13 * z9, CHAPLYGIN_BALL_SINGULAR_2);
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z1 is nearly 0 */
+        if (!(fabs(z1) > 1e-13)) {
+            return chaplygin_ball_refuse(fabs(z1), 1e-13, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(2, lambda);
     }
@@ -691,155 +684,155 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
+    const double k5 = I2 + k1;
+    const double k6 = I1 + k1;
+    const double k7 = I3 + k1;
+    const double k8 = 1.0 / k6;
+    const double k9 = 1.0 / k5;
+    const double k10 = 1.0 / k7;
+    const double k11 = k8 - k9;
+    const double k12 = k9 - k10;
 
     /* from the state */
-    const double z1 = s_psi * s_psi;
-    const double z2 = s_theta * s_theta;
-    const double z3 = I1 + k1 * (1.0 - z1 * z2);
-    const double z4 = c_psi * c_psi;
-    const double z5 = I2 + k1 * (1.0 - z4 * z2);
-    const double z6 = k1 * z2;
-    const double z7 = s_psi * z6;
-    const double z8 = c_psi * z7;
-    const double z9 = 1.0 / z3;
-    const double z10 = z8 * z9;
-    const double z11 = z5 - z8 * z10;
-    const double z12 = I3 + z6;
-    const double z13 = s_theta * k1;
-    const double z14 = s_psi * z13;
-    const double z15 = c_theta * z14;
-    const double z16 = z15 * z9;
-    const double z17 = c_psi * z13;
-    const double z18 = c_theta * z17 + z8 * z16;
-    const double z19 = 1.0 / z11;
-    const double z20 = z18 * z19;
-    const double z21 = z12 - z15 * z16 - z18 * z20;
-    const double z22 = s_psi * w2 - c_psi * w1;
-    const double v2_x = a * z22;
-    const double z23 = 1.0 / s_theta;
-    const double z24 = c_psi * w2 + s_psi * w1;
-    const double z25 = c_theta * z24;
-    const double z26 = a * (w3 - z23 * z25);
-    const double z27 = s_theta * z26;
-    const double z28 = a * s_theta;
-    const double z29 = z23 * z23 * z25;
-    const double z30 = z24 + c_theta * z29;
-    const double z31 = c_theta * z26 + z28 * z30;
-    const double z32 = a * z24;
-    const double z33 = z23 * z22;
-    const double z34 = c_theta * z33;
-    const double z35 = z28 * z34;
-    const double z36 = a * c_psi;
-    const double z37 = s_psi * z23;
-    const double z38 = c_theta * z37;
-    const double z39 = z38 * z28;
-    const double z40 = a * s_psi;
-    const double z41 = c_psi * z23;
-    const double z42 = c_theta * z41;
-    const double z43 = z42 * z28;
-    const double z44 = 1.0 / z21;
-    const double z45 = w1 * k4;
-    const double z46 = w2 * k2;
-    const double z47 = w3 * z46;
-    const double z48 = w1 * k3;
-    const double z49 = w3 * z48 - z10 * z47;
-    const double z50 = z44 * (w2 * z45 + z16 * z47 - z20 * z49);
-    const double z51 = s_theta * z50;
-    const double z52 = c_theta * z50;
-    const double z53 = s_psi * k1;
-    const double z54 = z19 * z49 - z20 * z50;
-    const double z55 = c_psi * z54;
-    const double z56 = z9 * z47 - z10 * z54 + z16 * z50;
-    const double z57 = k1 * z56;
-    const double z58 = z14 * z51 - c_theta * (z52 * z53 - 2.0 * (s_theta * (z55 * z53 - z1 * z57)));
-    const double z59 = c_psi * z56;
-    const double z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - 2.0 * (s_theta * (k1 * (z4 * z54) - z59 *
-        z53)));
-    const double z61 = z60 + z10 * z58;
-    const double z62 = c_theta * z54;
-    const double z63 = c_theta * z56;
-    const double z64 = s_theta * (z17 * z54 - z14 * z56) - c_theta * (k1 * (c_psi * z62 - s_psi * z63) + 2.0
-        * (k1 * z51));
-    const double z65 = z44 * (z64 - z16 * z58 - z20 * z61);
-    const double z66 = z19 * z61 - z20 * z65;
-    const double z67 = z13 * z52;
-    const double z68 = z6 * z55;
-    const double z69 = z57 * (s_psi * z2);
-    const double z70 = z54 * (s_psi * z7) + c_psi * (z67 - z68 + 2.0 * z69);
-    const double z71 = z10 * z70 + (z59 * (c_psi * z6) + s_psi * (2.0 * z68 - (z67 + z69)));
-    const double z72 = z44 * (z14 * z62 + z17 * z63 + z16 * z70 + z20 * z71);
-    const double z73 = z19 * z71 + z20 * z72;
-    const double z74 = w3 * k3;
-    const double z75 = z44 * (w2 * k4 - z20 * z74);
-    const double z76 = z19 * z74 - z20 * z75;
-    const double z77 = w3 * k2;
-    const double z78 = z10 * z77;
-    const double z79 = z44 * (z45 + z16 * z77 + z20 * z78);
-    const double z80 = z19 * z78 + z20 * z79;
-    const double z81 = z48 - z10 * z46;
-    const double z82 = z44 * (z16 * z46 - z20 * z81);
-    const double z83 = z19 * z81 - z20 * z82;
+    const double z1 = s_theta * s_theta;
+    const double z2 = s_psi * s_psi;
+    const double z3 = 1.0 - k1 * (k10 + z1 * (z2 * k11 + k12));
+    const double z4 = s_psi * w2 - c_psi * w1;
+    const double v2_x = a * z4;
+    const double z5 = 1.0 / s_theta;
+    const double z6 = c_psi * w2 + s_psi * w1;
+    const double z7 = c_theta * z6;
+    const double z8 = a * (w3 - z5 * z7);
+    const double z9 = s_theta * z8;
+    const double z10 = a * s_theta;
+    const double z11 = z5 * z5 * z7;
+    const double z12 = z6 + c_theta * z11;
+    const double z13 = c_theta * z8 + z10 * z12;
+    const double z14 = a * z6;
+    const double z15 = z5 * z4;
+    const double z16 = c_theta * z15;
+    const double z17 = z10 * z16;
+    const double z18 = a * c_psi;
+    const double z19 = s_psi * z5;
+    const double z20 = c_theta * z19;
+    const double z21 = z20 * z10;
+    const double z22 = a * s_psi;
+    const double z23 = c_psi * z5;
+    const double z24 = c_theta * z23;
+    const double z25 = z24 * z10;
+    const double z26 = s_theta * k1;
+    const double z27 = s_psi * z26;
+    const double z28 = w1 * k4;
+    const double z29 = w2 * z28;
+    const double z30 = k1 / z3;
+    const double z31 = c_theta * k10;
+    const double z32 = s_theta * s_psi;
+    const double z33 = z32 * k8;
+    const double z34 = w2 * k2;
+    const double z35 = w3 * z34;
+    const double z36 = s_theta * c_psi;
+    const double z37 = z36 * k9;
+    const double z38 = w1 * k3;
+    const double z39 = w3 * z38;
+    const double z40 = z30 * (z31 * z29 + (z33 * z35 - z37 * z39));
+    const double z41 = k10 * (z29 + c_theta * z40);
+    const double z42 = s_theta * z41;
+    const double z43 = c_theta * z41;
+    const double z44 = s_psi * k1;
+    const double z45 = k9 * (z39 - z36 * z40);
+    const double z46 = c_psi * z45;
+    const double z47 = k8 * (z35 + z32 * z40);
+    const double z48 = k1 * z47;
+    const double z49 = z27 * z42 - c_theta * (z43 * z44 - 2.0 * (s_theta * (z46 * z44 - z2 * z48)));
+    const double z50 = c_psi * z26;
+    const double z51 = c_theta * z45;
+    const double z52 = c_theta * z47;
+    const double z53 = s_theta * (z50 * z45 - z27 * z47) - c_theta * (k1 * (c_psi * z51 - s_psi * z52) + 2.0
+        * (k1 * z42));
+    const double z54 = c_psi * z47;
+    const double z55 = c_theta * (k1 * (c_psi * z43) - 2.0 * (s_theta * (k1 * (c_psi * c_psi * z45) - z54 *
+        z44)));
+    const double z56 = z50 * z42 - z55;
+    const double z57 = z30 * (z31 * z53 - (z33 * z49 + z37 * z56));
+    const double z58 = k1 * z1;
+    const double z59 = z26 * z43;
+    const double z60 = z58 * z46;
+    const double z61 = s_psi * z1 * z48;
+    const double z62 = z2 * z58 * z45 + c_psi * (z59 - z60 + 2.0 * z61);
+    const double z63 = z27 * z51 + z50 * z52;
+    const double z64 = c_psi * z58 * z54 + s_psi * (2.0 * z60 - (z59 + z61));
+    const double z65 = z30 * (z31 * z63 + (z33 * z62 + z37 * z64));
+    const double z66 = w3 * k3;
+    const double z67 = w2 * k4;
+    const double z68 = z30 * (z37 * z66 - z31 * z67);
+    const double z69 = w3 * k2;
+    const double z70 = z30 * (z33 * z69 + z31 * z28);
+    const double z71 = z30 * (z34 * z33 - z38 * z37);
     /* (I.2.15) */
-    J[2] = s_phi * z27 - c_phi * v2_x;
-    J[3] = -c_phi * z31;
-    J[4] = -(s_phi * z32 + c_phi * z35);
-    J[5] = s_phi * z36 + c_phi * z39;
-    J[6] = c_phi * z43 - s_phi * z40;
-    J[7] = -c_phi * z28;
-    J[10] = -(s_phi * v2_x + c_phi * z27);
-    J[11] = -s_phi * z31;
-    J[12] = c_phi * z32 - s_phi * z35;
-    J[13] = s_phi * z39 - c_phi * z36;
-    J[14] = c_phi * z40 + s_phi * z43;
-    J[15] = -s_phi * z28;
-    J[19] = -z29;
-    J[20] = -z33;
-    J[21] = z37;
-    J[22] = z41;
-    J[28] = -z24;
+    J[2] = s_phi * z9 - c_phi * v2_x;
+    J[3] = -c_phi * z13;
+    J[4] = -(s_phi * z14 + c_phi * z17);
+    J[5] = s_phi * z18 + c_phi * z21;
+    J[6] = c_phi * z25 - s_phi * z22;
+    J[7] = -c_phi * z10;
+    J[10] = -(s_phi * v2_x + c_phi * z9);
+    J[11] = -s_phi * z13;
+    J[12] = c_phi * z14 - s_phi * z17;
+    J[13] = s_phi * z21 - c_phi * z18;
+    J[14] = c_phi * z22 + s_phi * z25;
+    J[15] = -s_phi * z10;
+    J[19] = -z11;
+    J[20] = -z15;
+    J[21] = z19;
+    J[22] = z23;
+    J[28] = -z6;
     J[29] = c_psi;
     J[30] = -s_psi;
-    J[35] = z30;
-    J[36] = z34;
-    J[37] = -z38;
-    J[38] = -z42;
+    J[35] = z12;
+    J[36] = z16;
+    J[37] = -z20;
+    J[38] = -z24;
     J[39] = 1.0;
-    J[43] = z16 * z65 - (z9 * z58 + z10 * z66);
-    J[44] = z9 * z70 + z10 * z73 + z16 * z72;
-    J[45] = z16 * z75 - z10 * z76;
-    J[46] = z9 * z77 + z10 * z80 + z16 * z79;
-    J[47] = z9 * z46 - z10 * z83 + z16 * z82;
-    J[51] = -z66;
-    J[52] = z73;
-    J[53] = -z76;
-    J[54] = z80;
-    J[55] = -z83;
-    J[59] = z65;
-    J[60] = z72;
-    J[61] = z75;
-    J[62] = z79;
-    J[63] = z82;
+    J[43] = (z32 * z57 - z49) * k8;
+    J[44] = k8 * (z62 + z32 * z65);
+    J[45] = -z33 * z68;
+    J[46] = k8 * (z69 + z32 * z70);
+    J[47] = k8 * (z34 + z32 * z71);
+    J[51] = (z36 * z57 - z56) * k9;
+    J[52] = k9 * (z64 + z36 * z65);
+    J[53] = -k9 * (z66 + z36 * z68);
+    J[54] = z37 * z70;
+    J[55] = (z36 * z71 - z38) * k9;
+    J[59] = k10 * (z53 + c_theta * z57);
+    J[60] = k10 * (z63 + c_theta * z65);
+    J[61] = k10 * (z67 - c_theta * z68);
+    J[62] = k10 * (z28 + c_theta * z70);
+    J[63] = z31 * z71;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[4] + J[5] + J[6] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15] + J[19] + J[20] +
-        J[28] + J[38] + J[43] + J[44] + J[45] + J[46] + J[47] + J[51] + J[53] + J[55]) <= DBL_MAX
+        J[28] + J[38] + J[43] + J[44] + J[45] + J[46] + J[47] + J[51] + J[52] + J[53] + J[54] + J[55] + J[59]
+        + J[60] + J[61] + J[62] + J[63]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z11) > 1e-13 * z5
-        && fabs(z21) > 1e-13 * z12)) {
+        && fabs(z3) > 1e-13)) {
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k5 is 0 */
+        if (!(fabs(k5) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k5), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k6 is 0 */
+        if (!(fabs(k6) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k6), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if k7 is 0 */
+        if (!(fabs(k7) > 0.0)) {
+            return chaplygin_ball_refuse(fabs(k7), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
+        }
         /* the coframe is singular, if s_theta is nearly 0 */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z3 is 0 */
-        if (!(fabs(z3) > 0.0)) {
-            return chaplygin_ball_refuse(fabs(z3), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z11 is nearly 0 */
-        if (!(fabs(z11) > 1e-13 * z5)) {
-            return chaplygin_ball_refuse(fabs(z11), 1e-13 * z5, CHAPLYGIN_BALL_SINGULAR_2);
-        }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z21 is nearly 0 */
-        if (!(fabs(z21) > 1e-13 * z12)) {
-            return chaplygin_ball_refuse(fabs(z21), 1e-13 * z12, CHAPLYGIN_BALL_SINGULAR_2);
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if z3 is nearly 0 */
+        if (!(fabs(z3) > 1e-13)) {
+            return chaplygin_ball_refuse(fabs(z3), 1e-13, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(64, J);
     }
@@ -900,13 +893,15 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     chaplygin_ball_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     chaplygin_ball_bits bad = {0}; /* singular blocks */
     const double a = fixed[0];
-    const double I1 = fixed[1];
-    const double I2 = fixed[2];
-    const double I3 = fixed[3];
-    const double k1 = fixed[4];
-    const double k2 = fixed[5];
-    const double k3 = fixed[6];
-    const double k4 = fixed[7];
+    const double k1 = fixed[1];
+    const double k2 = fixed[2];
+    const double k3 = fixed[3];
+    const double k4 = fixed[4];
+    const double k8 = fixed[5];
+    const double k9 = fixed[6];
+    const double k10 = fixed[7];
+    const double k11 = fixed[8];
+    const double k12 = fixed[9];
     const chaplygin_ball_lanes phi = chaplygin_ball_get(y + 2 * stride);
     const chaplygin_ball_lanes theta = chaplygin_ball_get(y + 3 * stride);
     const chaplygin_ball_lanes psi = chaplygin_ball_get(y + 4 * stride);
@@ -922,63 +917,50 @@ static __attribute__((noinline)) void chaplygin_ball_rhs_lanes(const double *fix
     chaplygin_ball_lanes sine2, cosine2;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(psi), &far, &sine2, &cosine2);
     const chaplygin_ball_lanes s_psi = sine2;
-    const chaplygin_ball_lanes z1 = s_theta * s_theta;
-    const chaplygin_ball_lanes z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1);
-    const chaplygin_ball_lanes c_psi = cosine2;
-    const chaplygin_ball_lanes z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1);
-    const chaplygin_ball_lanes z4 = k1 * z1;
-    const chaplygin_ball_lanes z5 = s_psi * c_psi * z4;
-    const chaplygin_ball_lanes z6 = 1.0 / z2;
-    const chaplygin_ball_lanes z7 = z6 * z5;
-    const chaplygin_ball_lanes z8 = z3 - z5 * z7;
-    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z8 is nearly 0 */
-    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z8)), 1e-13 * z3);
-    const chaplygin_ball_lanes z9 = I3 + z4;
-    const chaplygin_ball_lanes c_theta = cosine1;
-    const chaplygin_ball_lanes z10 = c_theta * (s_theta * k1);
-    const chaplygin_ball_lanes z11 = s_psi * z10;
-    const chaplygin_ball_lanes z12 = z6 * z11;
-    const chaplygin_ball_lanes z13 = c_psi * z10 + z5 * z12;
-    const chaplygin_ball_lanes z14 = 1.0 / z8;
-    const chaplygin_ball_lanes z15 = z13 * z14;
-    const chaplygin_ball_lanes z16 = z9 - z11 * z12 - z13 * z15;
-    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z16 is nearly 0 */
-    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z16)), 1e-13 * z9);
+    const chaplygin_ball_lanes z1 = 1.0 - k1 * (k10 + s_theta * s_theta * (s_psi * s_psi * k11 + k12));
+    /* the mass matrix is singular, or the velocities that are kept do not suffice, if z1 is nearly 0 */
+    bad |= chaplygin_ball_misses(chaplygin_ball_size(CHAPLYGIN_BALL_SPREAD(z1)),
+        CHAPLYGIN_BALL_SPREAD(1e-13));
     chaplygin_ball_lanes sine3, cosine3;
     chaplygin_ball_turn_lanes(CHAPLYGIN_BALL_SPREAD(phi), &far, &sine3, &cosine3);
     const chaplygin_ball_lanes s_phi = sine3;
-    const chaplygin_ball_lanes z17 = s_psi * w2 - c_psi * w1;
-    const chaplygin_ball_lanes v2_x = a * z17;
+    const chaplygin_ball_lanes c_psi = cosine2;
+    const chaplygin_ball_lanes z2 = s_psi * w2 - c_psi * w1;
+    const chaplygin_ball_lanes v2_x = a * z2;
     const chaplygin_ball_lanes c_phi = cosine3;
-    const chaplygin_ball_lanes z18 = (c_psi * w2 + s_psi * w1) / s_theta;
-    const chaplygin_ball_lanes z19 = w3 - c_theta * z18;
-    const chaplygin_ball_lanes z20 = a * (s_theta * z19);
-    const chaplygin_ball_lanes z21 = w2 * w3 * k2;
-    const chaplygin_ball_lanes z22 = w1 * w3 * k3 - z21 * z7;
-    const chaplygin_ball_lanes z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16;
-    const chaplygin_ball_lanes z24 = z14 * z22 - z15 * z23;
+    const chaplygin_ball_lanes c_theta = cosine1;
+    const chaplygin_ball_lanes z3 = (c_psi * w2 + s_psi * w1) / s_theta;
+    const chaplygin_ball_lanes z4 = w3 - c_theta * z3;
+    const chaplygin_ball_lanes z5 = s_theta * (a * z4);
+    const chaplygin_ball_lanes z6 = w2 * w3 * k2;
+    const chaplygin_ball_lanes z7 = s_theta * s_psi;
+    const chaplygin_ball_lanes z8 = w1 * w2 * k4;
+    const chaplygin_ball_lanes z9 = w1 * w3 * k3;
+    const chaplygin_ball_lanes z10 = s_theta * c_psi;
+    const chaplygin_ball_lanes z11 = k1 / z1 * (z8 * (c_theta * k10) + (z6 * (z7 * k8) - z9 * (z10 * k9)));
     /* (I.2.4) */
-    const chaplygin_ball_lanes slope1 = -(s_phi * v2_x + c_phi * z20);
+    const chaplygin_ball_lanes slope1 = -(s_phi * v2_x + c_phi * z5);
     sum += slope1;
     chaplygin_ball_put(dydt, slope1);
-    const chaplygin_ball_lanes slope2 = c_phi * v2_x - s_phi * z20;
+    const chaplygin_ball_lanes slope2 = c_phi * v2_x - s_phi * z5;
     sum += slope2;
     chaplygin_ball_put(dydt + 1 * stride, slope2);
-    const chaplygin_ball_lanes slope3 = z18;
+    const chaplygin_ball_lanes slope3 = z3;
     chaplygin_ball_put(dydt + 2 * stride, slope3);
-    const chaplygin_ball_lanes slope4 = -z17;
+    const chaplygin_ball_lanes slope4 = -z2;
     sum += slope4;
     chaplygin_ball_put(dydt + 3 * stride, slope4);
-    const chaplygin_ball_lanes slope5 = z19;
+    const chaplygin_ball_lanes slope5 = z4;
     chaplygin_ball_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 25:4 */
-    const chaplygin_ball_lanes slope6 = z21 * z6 - z7 * z24 + z12 * z23;
+    const chaplygin_ball_lanes slope6 = k8 * (z6 + z7 * z11);
     sum += slope6;
     chaplygin_ball_put(dydt + 5 * stride, slope6);
-    const chaplygin_ball_lanes slope7 = -z24;
+    const chaplygin_ball_lanes slope7 = (z10 * z11 - z9) * k9;
     sum += slope7;
     chaplygin_ball_put(dydt + 6 * stride, slope7);
-    const chaplygin_ball_lanes slope8 = z23;
+    const chaplygin_ball_lanes slope8 = k10 * (z8 + c_theta * z11);
+    sum += slope8;
     chaplygin_ball_put(dydt + 7 * stride, slope8);
     chaplygin_ball_put(check, chaplygin_ball_mark(far + (sum - sum), bad));
 }
@@ -1008,7 +990,15 @@ int chaplygin_ball_rhs_batch(size_t count, const double *t, const double *y, con
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
-    const double fixed[] = {a, I1, I2, I3, k1, k2, k3, k4};
+    const double k5 = I2 + k1;
+    const double k6 = I1 + k1;
+    const double k7 = I3 + k1;
+    const double k8 = 1.0 / k6;
+    const double k9 = 1.0 / k5;
+    const double k10 = 1.0 / k7;
+    const double k11 = k8 - k9;
+    const double k12 = k9 - k10;
+    const double fixed[] = {a, k1, k2, k3, k4, k8, k9, k10, k11, k12};
     double check[1 * CHAPLYGIN_BALL_LANES];
     int status = CHAPLYGIN_BALL_OK;
     for (size_t i = 0; i < count; i += CHAPLYGIN_BALL_LANES) {

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:073a58ef3547050d)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:e13fa185b467dc63)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,14 +32,14 @@
  * out[2] = K3 [kg*m^2/s]
  *
  * Operations of one call (+-: sums and differences; calls: sin, cos, ...):
- * rhs: 23 +-, 49 *, 4 /, 6 calls
+ * rhs: 21 +-, 40 *, 5 /, 6 calls
  * velocities: 5 +-, 12 *, 1 /, 6 calls
- * accelerations: 37 +-, 77 *, 4 /, 6 calls
+ * accelerations: 35 +-, 69 *, 5 /, 6 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
- * reactions: 26 +-, 57 *, 3 /, 6 calls
+ * reactions: 24 +-, 49 *, 4 /, 6 calls
  * energy: 11 +-, 22 *, 0 /, 4 calls
- * jacobian: 73 +-, 178 *, 4 /, 6 calls
+ * jacobian: 65 +-, 174 *, 5 /, 6 calls
  * outputs: 8 +-, 18 *, 0 /, 4 calls
  *
  * Calls: t is the time; y has CHAPLYGIN_BALL_NY entries, p has CHAPLYGIN_BALL_NP;

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:7476701bb74ebc41).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:2835ae8c7c49e660).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -32,14 +32,14 @@ out[1] = K2 [kg*m^2/s]
 out[2] = K3 [kg*m^2/s]
 
 Operations of one call (+-: sums and differences; calls: sin, cos, ...):
-rhs: 23 +-, 49 *, 4 /, 6 calls
+rhs: 21 +-, 40 *, 5 /, 6 calls
 velocities: 5 +-, 12 *, 1 /, 6 calls
-accelerations: 37 +-, 77 *, 4 /, 6 calls
+accelerations: 35 +-, 69 *, 5 /, 6 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
-reactions: 26 +-, 57 *, 3 /, 6 calls
+reactions: 24 +-, 49 *, 4 /, 6 calls
 energy: 11 +-, 22 *, 0 /, 4 calls
-jacobian: 73 +-, 178 *, 4 /, 6 calls
+jacobian: 65 +-, 174 *, 5 /, 6 calls
 outputs: 8 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -127,70 +127,71 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
+        k5 = I2 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k5 is 0
+        if not abs(k5) > 0.0:
+            raise _refuse(abs(k5), 0.0, 2, "rhs")
+        k6 = I1 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k6 is 0
+        if not abs(k6) > 0.0:
+            raise _refuse(abs(k6), 0.0, 2, "rhs")
+        k7 = I3 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k7 is 0
+        if not abs(k7) > 0.0:
+            raise _refuse(abs(k7), 0.0, 2, "rhs")
+        k8 = 1.0 / k6
+        k9 = 1.0 / k5
+        k10 = 1.0 / k7
+        k11 = k8 - k9
+        k12 = k9 - k10
         # from the state
         s_theta = math.sin(theta)
         # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         s_psi = math.sin(psi)
-        z1 = s_theta * s_theta
-        z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
+        s1 = k1 * (k10 + s_theta * s_theta * (s_psi * s_psi * k11 + k12))
+        z1 = 1.0 - s1
         # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z2 is 0
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "rhs")
-        c_psi = math.cos(psi)
-        z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
-        z4 = k1 * z1
-        z5 = s_psi * c_psi * z4
-        z6 = 1.0 / z2
-        z7 = z6 * z5
-        z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z8 is nearly 0
-        if not abs(z8) > 1e-13 * z3:
-            raise _refuse(abs(z8), 1e-13 * z3, 2, "rhs")
-        z9 = I3 + z4
-        c_theta = math.cos(theta)
-        z10 = c_theta * (s_theta * k1)
-        z11 = s_psi * z10
-        z12 = z6 * z11
-        z13 = c_psi * z10 + z5 * z12
-        z14 = 1.0 / z8
-        z15 = z13 * z14
-        z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z16 is nearly 0
-        if not abs(z16) > 1e-13 * z9:
-            raise _refuse(abs(z16), 1e-13 * z9, 2, "rhs")
+        # if z1 is nearly 0
+        if not abs(z1) > 1e-13:
+            raise _refuse(abs(z1), 1e-13, 2, "rhs")
         s_phi = math.sin(phi)
-        z17 = s_psi * w2 - c_psi * w1
-        v2_x = a * z17
+        c_psi = math.cos(psi)
+        z2 = s_psi * w2 - c_psi * w1
+        v2_x = a * z2
         c_phi = math.cos(phi)
-        z18 = (c_psi * w2 + s_psi * w1) / s_theta
-        z19 = w3 - c_theta * z18
-        z20 = a * (s_theta * z19)
-        z21 = w2 * w3 * k2
-        z22 = w1 * w3 * k3 - z21 * z7
-        z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16
-        z24 = z14 * z22 - z15 * z23
+        c_theta = math.cos(theta)
+        z3 = (c_psi * w2 + s_psi * w1) / s_theta
+        z4 = w3 - c_theta * z3
+        z5 = s_theta * (a * z4)
+        z6 = w2 * w3 * k2
+        z7 = s_theta * s_psi
+        z8 = w1 * w2 * k4
+        z9 = w1 * w3 * k3
+        z10 = s_theta * c_psi
+        s2 = z8 * (c_theta * k10) + (z6 * (z7 * k8) - z9 * (z10 * k9))
+        z11 = k1 / z1 * s2
         dydt: list[float] = [
             # x' (I.2.4)
-            -(s_phi * v2_x + c_phi * z20),
+            -(s_phi * v2_x + c_phi * z5),
             # y' (I.2.4)
-            c_phi * v2_x - s_phi * z20,
+            c_phi * v2_x - s_phi * z5,
             # phi' (I.2.4)
-            z18,
+            z3,
             # theta' (I.2.4)
-            -z17,
+            -z2,
             # psi' (I.2.4)
-            z19,
+            z4,
             # w1' (I.2.15) 25:4
-            z21 * z6 - z7 * z24 + z12 * z23,
+            k8 * (z6 + z7 * z11),
             # w2' (I.2.15) 25:4
-            -z24,
+            (z10 * z11 - z9) * k9,
             # w3' (I.2.15) 25:4
-            z23,
+            k10 * (z8 + c_theta * z11),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -274,79 +275,82 @@ def accelerations(
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
+        k5 = I2 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k5 is 0
+        if not abs(k5) > 0.0:
+            raise _refuse(abs(k5), 0.0, 2, "accelerations")
+        k6 = I1 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k6 is 0
+        if not abs(k6) > 0.0:
+            raise _refuse(abs(k6), 0.0, 2, "accelerations")
+        k7 = I3 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k7 is 0
+        if not abs(k7) > 0.0:
+            raise _refuse(abs(k7), 0.0, 2, "accelerations")
+        k8 = 1.0 / k6
+        k9 = 1.0 / k5
+        k10 = 1.0 / k7
+        k11 = k8 - k9
+        k12 = k9 - k10
         # from the state
         s_theta = math.sin(theta)
         # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         s_psi = math.sin(psi)
-        z1 = s_theta * s_theta
-        z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
+        s1 = k1 * (k10 + s_theta * s_theta * (s_psi * s_psi * k11 + k12))
+        z1 = 1.0 - s1
         # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z2 is 0
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "accelerations")
+        # if z1 is nearly 0
+        if not abs(z1) > 1e-13:
+            raise _refuse(abs(z1), 1e-13, 2, "accelerations")
         c_psi = math.cos(psi)
-        z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
-        z4 = k1 * z1
-        z5 = s_psi * c_psi * z4
-        z6 = 1.0 / z2
-        z7 = z6 * z5
-        z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z8 is nearly 0
-        if not abs(z8) > 1e-13 * z3:
-            raise _refuse(abs(z8), 1e-13 * z3, 2, "accelerations")
-        z9 = I3 + z4
-        c_theta = math.cos(theta)
-        z10 = c_theta * (s_theta * k1)
-        z11 = s_psi * z10
-        z12 = z6 * z11
-        z13 = c_psi * z10 + z5 * z12
-        z14 = 1.0 / z8
-        z15 = z13 * z14
-        z16 = z9 - z11 * z12 - z13 * z15
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z16 is nearly 0
-        if not abs(z16) > 1e-13 * z9:
-            raise _refuse(abs(z16), 1e-13 * z9, 2, "accelerations")
-        z17 = s_psi * w2 - c_psi * w1
-        v2_x = a * z17
+        z2 = s_psi * w2 - c_psi * w1
+        v2_x = a * z2
         c_phi = math.cos(phi)
-        z18 = 1.0 / s_theta
-        z19 = c_psi * w2 + s_psi * w1
-        z20 = z18 * z19
-        z21 = c_phi * z20
+        z3 = 1.0 / s_theta
+        z4 = c_psi * w2 + s_psi * w1
+        z5 = z3 * z4
+        z6 = c_phi * z5
         s_phi = math.sin(phi)
-        z22 = w3 - c_theta * z20
-        z23 = c_psi * z22
-        z24 = w2 * w3 * k2
-        z25 = w1 * w3 * k3 - z24 * z7
-        z26 = (w1 * w2 * k4 + z24 * z12 - z15 * z25) / z16
-        z27 = z14 * z25 - z15 * z26
-        z28 = s_psi * z22
-        z29 = z24 * z6 - z7 * z27 + z12 * z26
-        z30 = w2 * z23 - s_psi * z27 + (w1 * z28 - c_psi * z29)
-        z31 = a * z30
-        z32 = a * z22
-        z33 = s_theta * z32
-        z34 = s_phi * z20
-        z35 = c_theta * z17
-        s1 = z18 * (w2 * z28 + c_psi * z27 - (w1 * z23 + s_psi * z29))
-        z36 = z18 * z18 * (z19 * z35) - s1
-        z37 = z26 - (z19 * z17 + c_theta * z36)
-        z38 = z32 * z35 - a * (s_theta * z37)
+        c_theta = math.cos(theta)
+        z7 = w3 - c_theta * z5
+        z8 = c_psi * z7
+        z9 = w1 * w3 * k3
+        z10 = s_theta * c_psi
+        z11 = w1 * w2 * k4
+        z12 = w2 * w3 * k2
+        z13 = s_theta * s_psi
+        s2 = z11 * (c_theta * k10) + (z12 * (z13 * k8) - z9 * (z10 * k9))
+        z14 = k1 / z1 * s2
+        z15 = k9 * (z9 - z10 * z14)
+        z16 = s_psi * z7
+        z17 = k8 * (z12 + z13 * z14)
+        z18 = w2 * z8 - s_psi * z15 + (w1 * z16 - c_psi * z17)
+        z19 = a * z18
+        z20 = a * z7
+        z21 = s_theta * z20
+        z22 = s_phi * z5
+        z23 = c_theta * z2
+        s3 = z3 * (w2 * z16 + c_psi * z15 - (w1 * z8 + s_psi * z17))
+        z24 = z4 * (z23 * (z3 * z3)) - s3
+        s4 = z5 * (s_theta * z2) + c_theta * z24
+        z25 = k10 * (z11 + c_theta * z14) - s4
+        z26 = z20 * z23 - s_theta * (a * z25)
         qddot: list[float] = [
             # x'' (I.2.15)
-            z33 * z34 + c_phi * z38 - (v2_x * z21 + s_phi * z31),
+            z21 * z22 + c_phi * z26 - (v2_x * z6 + s_phi * z19),
             # y'' (I.2.15)
-            -(v2_x * z34 - c_phi * z31 + (z33 * z21 - s_phi * z38)),
+            -(v2_x * z22 - c_phi * z19 + (z21 * z6 - s_phi * z26)),
             # phi'' (I.2.15)
-            z36,
+            z24,
             # theta'' (I.2.15)
-            -z30,
+            -z18,
             # psi'' (I.2.15)
-            z37,
+            z25,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -458,62 +462,63 @@ def reactions(
         k3 = I2 - I3
         k4 = I1 - I3
         k5 = I1 - I2
+        k6 = I2 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k6 is 0
+        if not abs(k6) > 0.0:
+            raise _refuse(abs(k6), 0.0, 2, "reactions")
+        k7 = I1 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k7 is 0
+        if not abs(k7) > 0.0:
+            raise _refuse(abs(k7), 0.0, 2, "reactions")
+        k8 = I3 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k8 is 0
+        if not abs(k8) > 0.0:
+            raise _refuse(abs(k8), 0.0, 2, "reactions")
+        k9 = 1.0 / k7
+        k10 = 1.0 / k6
+        k11 = 1.0 / k8
+        k12 = k9 - k10
+        k13 = k10 - k11
         # from the state
         s_theta = math.sin(theta)
         # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         s_psi = math.sin(psi)
-        z1 = s_theta * s_theta
-        z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
+        s1 = k1 * (k11 + s_theta * s_theta * (s_psi * s_psi * k12 + k13))
+        z1 = 1.0 - s1
         # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z2 is 0
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 2, "reactions")
-        c_psi = math.cos(psi)
-        z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
-        z4 = k1 * z1
-        z5 = s_psi * c_psi * z4
-        z6 = 1.0 / z2
-        z7 = z6 * z5
-        z8 = z3 - z5 * z7
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z8 is nearly 0
-        if not abs(z8) > 1e-13 * z3:
-            raise _refuse(abs(z8), 1e-13 * z3, 2, "reactions")
-        z9 = I3 + z4
-        c_theta = math.cos(theta)
-        z10 = s_psi * c_theta
-        z11 = s_theta * k1
-        z12 = z10 * z11
-        z13 = z6 * z12
-        z14 = c_psi * c_theta
-        z15 = z14 * z11 + z5 * z13
-        z16 = 1.0 / z8
-        z17 = z16 * z15
-        z18 = z9 - z12 * z13 - z15 * z17
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z18 is nearly 0
-        if not abs(z18) > 1e-13 * z9:
-            raise _refuse(abs(z18), 1e-13 * z9, 2, "reactions")
+        # if z1 is nearly 0
+        if not abs(z1) > 1e-13:
+            raise _refuse(abs(z1), 1e-13, 2, "reactions")
         c_phi = math.cos(phi)
-        z19 = w2 * w3 * k3
-        z20 = w1 * w3 * k4 - z19 * z7
-        z21 = (w1 * w2 * k5 + z19 * z13 - z20 * z17) / z18
-        z22 = s_theta * k2 * z21
+        z2 = w1 * w2 * k5
+        c_theta = math.cos(theta)
+        z3 = s_theta * s_psi
+        z4 = w2 * w3 * k3
+        c_psi = math.cos(psi)
+        z5 = s_theta * c_psi
+        z6 = w1 * w3 * k4
+        s2 = k11 * (c_theta * z2) + (k9 * (z3 * z4) - k10 * (z5 * z6))
+        z7 = k1 * (s2 / z1)
+        z8 = s_theta * k2 * (k11 * (z2 + c_theta * z7))
+        z9 = s_psi * c_theta
         s_phi = math.sin(phi)
-        z23 = z16 * z20 - z17 * z21
-        z24 = k2 * (z19 * z6 - z7 * z23 + z13 * z21)
-        z25 = k2 * z23
-        s1 = (c_psi * s_phi + c_phi * z10) * z24
-        z26 = c_phi * z22 - (s1 + (s_psi * s_phi - c_phi * z14) * z25)
-        s2 = (c_psi * c_phi - s_phi * z10) * z24
-        z27 = s_phi * z22 + (s2 + (s_psi * c_phi + s_phi * z14) * z25)
+        z10 = k2 * (k9 * (z4 + z3 * z7))
+        z11 = c_psi * c_theta
+        z12 = k2 * (k10 * (z6 - z5 * z7))
+        s3 = (s_psi * s_phi - c_phi * z11) * z12
+        z13 = c_phi * z8 - ((c_phi * z9 + c_psi * s_phi) * z10 + s3)
+        s4 = (s_psi * c_phi + s_phi * z11) * z12
+        z14 = s_phi * z8 - ((s_phi * z9 - c_psi * c_phi) * z10 - s4)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            -z26,
+            -z13,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            -z27,
+            -z14,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -586,163 +591,162 @@ def jacobian(
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
+        k5 = I2 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k5 is 0
+        if not abs(k5) > 0.0:
+            raise _refuse(abs(k5), 0.0, 2, "jacobian")
+        k6 = I1 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k6 is 0
+        if not abs(k6) > 0.0:
+            raise _refuse(abs(k6), 0.0, 2, "jacobian")
+        k7 = I3 + k1
+        # the mass matrix is singular, or the velocities that are kept do not suffice,
+        # if k7 is 0
+        if not abs(k7) > 0.0:
+            raise _refuse(abs(k7), 0.0, 2, "jacobian")
+        k8 = 1.0 / k6
+        k9 = 1.0 / k5
+        k10 = 1.0 / k7
+        k11 = k8 - k9
+        k12 = k9 - k10
         # from the state
         s_theta = math.sin(theta)
         # the coframe is singular, if s_theta is nearly 0
         if not abs(s_theta) > 1e-12 * 4.0:
             raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
+        z1 = s_theta * s_theta
         s_psi = math.sin(psi)
-        z1 = s_psi * s_psi
-        z2 = s_theta * s_theta
-        z3 = I1 + k1 * (1.0 - z1 * z2)
+        z2 = s_psi * s_psi
+        z3 = 1.0 - k1 * (k10 + z1 * (z2 * k11 + k12))
         # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z3 is 0
-        if not abs(z3) > 0.0:
-            raise _refuse(abs(z3), 0.0, 2, "jacobian")
-        c_psi = math.cos(psi)
-        z4 = c_psi * c_psi
-        z5 = I2 + k1 * (1.0 - z4 * z2)
-        z6 = k1 * z2
-        z7 = s_psi * z6
-        z8 = c_psi * z7
-        z9 = 1.0 / z3
-        z10 = z8 * z9
-        z11 = z5 - z8 * z10
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z11 is nearly 0
-        if not abs(z11) > 1e-13 * z5:
-            raise _refuse(abs(z11), 1e-13 * z5, 2, "jacobian")
-        z12 = I3 + z6
-        c_theta = math.cos(theta)
-        z13 = s_theta * k1
-        z14 = s_psi * z13
-        z15 = c_theta * z14
-        z16 = z15 * z9
-        z17 = c_psi * z13
-        z18 = c_theta * z17 + z8 * z16
-        z19 = 1.0 / z11
-        z20 = z18 * z19
-        z21 = z12 - z15 * z16 - z18 * z20
-        # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if z21 is nearly 0
-        if not abs(z21) > 1e-13 * z12:
-            raise _refuse(abs(z21), 1e-13 * z12, 2, "jacobian")
+        # if z3 is nearly 0
+        if not abs(z3) > 1e-13:
+            raise _refuse(abs(z3), 1e-13, 2, "jacobian")
         c_phi = math.cos(phi)
-        z22 = s_psi * w2 - c_psi * w1
-        v2_x = a * z22
+        c_psi = math.cos(psi)
+        z4 = s_psi * w2 - c_psi * w1
+        v2_x = a * z4
         s_phi = math.sin(phi)
-        z23 = 1.0 / s_theta
-        z24 = c_psi * w2 + s_psi * w1
-        z25 = c_theta * z24
-        z26 = a * (w3 - z23 * z25)
-        z27 = s_theta * z26
-        z28 = a * s_theta
-        z29 = z23 * z23 * z25
-        z30 = z24 + c_theta * z29
-        z31 = c_theta * z26 + z28 * z30
-        z32 = a * z24
-        z33 = z23 * z22
-        z34 = c_theta * z33
-        z35 = z28 * z34
-        z36 = a * c_psi
-        z37 = s_psi * z23
-        z38 = c_theta * z37
-        z39 = z38 * z28
-        z40 = a * s_psi
-        z41 = c_psi * z23
-        z42 = c_theta * z41
-        z43 = z42 * z28
-        z44 = 1.0 / z21
-        z45 = w1 * k4
-        z46 = w2 * k2
-        z47 = w3 * z46
-        z48 = w1 * k3
-        z49 = w3 * z48 - z10 * z47
-        z50 = z44 * (w2 * z45 + z16 * z47 - z20 * z49)
-        z51 = s_theta * z50
-        z52 = c_theta * z50
-        z53 = s_psi * k1
-        z54 = z19 * z49 - z20 * z50
-        z55 = c_psi * z54
-        z56 = z9 * z47 - z10 * z54 + z16 * z50
-        z57 = k1 * z56
-        s1 = z52 * z53 - 2.0 * (s_theta * (z55 * z53 - z1 * z57))
-        z58 = z14 * z51 - c_theta * s1
-        z59 = c_psi * z56
-        s2 = 2.0 * (s_theta * (k1 * (z4 * z54) - z59 * z53))
-        z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - s2)
-        z61 = z60 + z10 * z58
-        z62 = c_theta * z54
-        z63 = c_theta * z56
-        s3 = k1 * (c_psi * z62 - s_psi * z63) + 2.0 * (k1 * z51)
-        z64 = s_theta * (z17 * z54 - z14 * z56) - c_theta * s3
-        z65 = z44 * (z64 - z16 * z58 - z20 * z61)
-        z66 = z19 * z61 - z20 * z65
-        z67 = z13 * z52
-        z68 = z6 * z55
-        z69 = z57 * (s_psi * z2)
-        z70 = z54 * (s_psi * z7) + c_psi * (z67 - z68 + 2.0 * z69)
-        s4 = z59 * (c_psi * z6) + s_psi * (2.0 * z68 - (z67 + z69))
-        z71 = z10 * z70 + s4
-        z72 = z44 * (z14 * z62 + z17 * z63 + z16 * z70 + z20 * z71)
-        z73 = z19 * z71 + z20 * z72
-        z74 = w3 * k3
-        z75 = z44 * (w2 * k4 - z20 * z74)
-        z76 = z19 * z74 - z20 * z75
-        z77 = w3 * k2
-        z78 = z10 * z77
-        z79 = z44 * (z45 + z16 * z77 + z20 * z78)
-        z80 = z19 * z78 + z20 * z79
-        z81 = z48 - z10 * z46
-        z82 = z44 * (z16 * z46 - z20 * z81)
-        z83 = z19 * z81 - z20 * z82
+        z5 = 1.0 / s_theta
+        c_theta = math.cos(theta)
+        z6 = c_psi * w2 + s_psi * w1
+        z7 = c_theta * z6
+        z8 = a * (w3 - z5 * z7)
+        z9 = s_theta * z8
+        z10 = a * s_theta
+        z11 = z5 * z5 * z7
+        z12 = z6 + c_theta * z11
+        z13 = c_theta * z8 + z10 * z12
+        z14 = a * z6
+        z15 = z5 * z4
+        z16 = c_theta * z15
+        z17 = z10 * z16
+        z18 = a * c_psi
+        z19 = s_psi * z5
+        z20 = c_theta * z19
+        z21 = z20 * z10
+        z22 = a * s_psi
+        z23 = c_psi * z5
+        z24 = c_theta * z23
+        z25 = z24 * z10
+        z26 = s_theta * k1
+        z27 = s_psi * z26
+        z28 = w1 * k4
+        z29 = w2 * z28
+        z30 = k1 / z3
+        z31 = c_theta * k10
+        z32 = s_theta * s_psi
+        z33 = z32 * k8
+        z34 = w2 * k2
+        z35 = w3 * z34
+        z36 = s_theta * c_psi
+        z37 = z36 * k9
+        z38 = w1 * k3
+        z39 = w3 * z38
+        z40 = z30 * (z31 * z29 + (z33 * z35 - z37 * z39))
+        z41 = k10 * (z29 + c_theta * z40)
+        z42 = s_theta * z41
+        z43 = c_theta * z41
+        z44 = s_psi * k1
+        z45 = k9 * (z39 - z36 * z40)
+        z46 = c_psi * z45
+        z47 = k8 * (z35 + z32 * z40)
+        z48 = k1 * z47
+        s1 = z43 * z44 - 2.0 * (s_theta * (z46 * z44 - z2 * z48))
+        z49 = z27 * z42 - c_theta * s1
+        z50 = c_psi * z26
+        z51 = c_theta * z45
+        z52 = c_theta * z47
+        s2 = k1 * (c_psi * z51 - s_psi * z52) + 2.0 * (k1 * z42)
+        z53 = s_theta * (z50 * z45 - z27 * z47) - c_theta * s2
+        z54 = c_psi * z47
+        s3 = 2.0 * (s_theta * (k1 * (c_psi * c_psi * z45) - z54 * z44))
+        z55 = c_theta * (k1 * (c_psi * z43) - s3)
+        z56 = z50 * z42 - z55
+        z57 = z30 * (z31 * z53 - (z33 * z49 + z37 * z56))
+        z58 = k1 * z1
+        z59 = z26 * z43
+        z60 = z58 * z46
+        z61 = s_psi * z1 * z48
+        z62 = z2 * z58 * z45 + c_psi * (z59 - z60 + 2.0 * z61)
+        z63 = z27 * z51 + z50 * z52
+        z64 = c_psi * z58 * z54 + s_psi * (2.0 * z60 - (z59 + z61))
+        z65 = z30 * (z31 * z63 + (z33 * z62 + z37 * z64))
+        z66 = w3 * k3
+        z67 = w2 * k4
+        z68 = z30 * (z37 * z66 - z31 * z67)
+        z69 = w3 * k2
+        z70 = z30 * (z33 * z69 + z31 * z28)
+        z71 = z30 * (z34 * z33 - z38 * z37)
         J: list[float] = [
             0.0,
             0.0,
             # (I.2.15)
-            s_phi * z27 - c_phi * v2_x,
+            s_phi * z9 - c_phi * v2_x,
             # (I.2.15)
-            -c_phi * z31,
+            -c_phi * z13,
             # (I.2.15)
-            -(s_phi * z32 + c_phi * z35),
+            -(s_phi * z14 + c_phi * z17),
             # (I.2.15)
-            s_phi * z36 + c_phi * z39,
+            s_phi * z18 + c_phi * z21,
             # (I.2.15)
-            c_phi * z43 - s_phi * z40,
+            c_phi * z25 - s_phi * z22,
             # (I.2.15)
-            -c_phi * z28,
+            -c_phi * z10,
             0.0,
             0.0,
             # (I.2.15)
-            -(s_phi * v2_x + c_phi * z27),
+            -(s_phi * v2_x + c_phi * z9),
             # (I.2.15)
-            -s_phi * z31,
+            -s_phi * z13,
             # (I.2.15)
-            c_phi * z32 - s_phi * z35,
+            c_phi * z14 - s_phi * z17,
             # (I.2.15)
-            s_phi * z39 - c_phi * z36,
+            s_phi * z21 - c_phi * z18,
             # (I.2.15)
-            c_phi * z40 + s_phi * z43,
+            c_phi * z22 + s_phi * z25,
             # (I.2.15)
-            -s_phi * z28,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -z29,
-            # (I.2.15)
-            -z33,
-            # (I.2.15)
-            z37,
-            # (I.2.15)
-            z41,
-            0.0,
-            0.0,
+            -s_phi * z10,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z24,
+            -z11,
+            # (I.2.15)
+            -z15,
+            # (I.2.15)
+            z19,
+            # (I.2.15)
+            z23,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z6,
             # (I.2.15)
             c_psi,
             # (I.2.15)
@@ -752,57 +756,57 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z30,
+            z12,
             # (I.2.15)
-            z34,
+            z16,
             # (I.2.15)
-            -z38,
+            -z20,
             # (I.2.15)
-            -z42,
+            -z24,
             # (I.2.15)
             1.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z16 * z65 - (z9 * z58 + z10 * z66),
+            (z32 * z57 - z49) * k8,
             # (I.2.15)
-            z9 * z70 + z10 * z73 + z16 * z72,
+            k8 * (z62 + z32 * z65),
             # (I.2.15)
-            z16 * z75 - z10 * z76,
+            -z33 * z68,
             # (I.2.15)
-            z9 * z77 + z10 * z80 + z16 * z79,
+            k8 * (z69 + z32 * z70),
             # (I.2.15)
-            z9 * z46 - z10 * z83 + z16 * z82,
+            k8 * (z34 + z32 * z71),
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z66,
+            (z36 * z57 - z56) * k9,
             # (I.2.15)
-            z73,
+            k9 * (z64 + z36 * z65),
             # (I.2.15)
-            -z76,
+            -k9 * (z66 + z36 * z68),
             # (I.2.15)
-            z80,
+            z37 * z70,
             # (I.2.15)
-            -z83,
+            (z36 * z71 - z38) * k9,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z65,
+            k10 * (z53 + c_theta * z57),
             # (I.2.15)
-            z72,
+            k10 * (z63 + c_theta * z65),
             # (I.2.15)
-            z75,
+            k10 * (z67 - c_theta * z68),
             # (I.2.15)
-            z79,
+            k10 * (z28 + c_theta * z70),
             # (I.2.15)
-            z82,
+            z31 * z71,
         ]
         _finish("jacobian", J)
-        return [J[k5 : k5 + 8] for k5 in range(0, 64, 8)]
+        return [J[k13 : k13 + 8] for k13 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:a8d49cbb20aa402f)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:259b6a4b65f2e8ac)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Equations of motion: euler-lagrange (I.2.15)
@@ -576,73 +576,72 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double k5 = I1 - I2;
 
     /* from the state */
-    const double R_1 = y[3]; /* quaternion of R, along x [1] */
-    const double z1 = R_1 * R_1;
-    const double R_2 = y[4]; /* quaternion of R, along y [1] */
-    const double z2 = R_2 * R_2;
     const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double z3 = R_3 * R_3;
-    const double z4 = z1 + z3;
+    const double z1 = R_3 * R_3;
+    const double R_1 = y[3]; /* quaternion of R, along x [1] */
+    const double z2 = R_1 * R_1;
     const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
-    const double z5 = 1.0 / (R_0 * R_0 + z2 + z4);
-    const double z6 = R_2 * z5;
-    const double R_z3 = 1.0 - 2.0 * (z1 * z5 + R_2 * z6);
-    const double z7 = k2 * R_z3 * R_z3;
-    const double z8 = R_0 * z5;
-    const double z9 = R_3 * z6 + R_1 * z8;
-    const double z10 = z9 * z9;
-    const double z11 = I1 + z7 + 4.0 * (k2 * z10);
-    const double z12 = R_1 * R_3;
-    const double z13 = z12 * z5 - R_2 * z8;
-    const double z14 = z13 * z13;
-    const double z15 = I2 + z7 + 4.0 * (k2 * z14);
-    const double z16 = k2 * z9;
-    const double z17 = z13 * z16;
-    const double z18 = 1.0 / z11;
-    const double z19 = z17 * z18;
-    const double z20 = z15 - 16.0 * (z17 * z19);
-    const double z21 = I3 + 4.0 * (k2 * (z10 + z14));
-    const double z22 = k2 * (z13 * R_z3);
-    const double z23 = z22 * z18;
-    const double z24 = 2.0 * (R_z3 * z16) + 8.0 * (z17 * z23);
-    const double z25 = 1.0 / z20;
-    const double z26 = z24 * z25;
-    const double z27 = z21 - 4.0 * (z22 * z23) - z24 * z26;
+    const double z3 = R_0 * R_0 + z2;
+    const double R_2 = y[4]; /* quaternion of R, along y [1] */
+    const double z4 = 1.0 / (z1 + (R_2 * R_2 + z3));
+    const double z5 = R_2 * z4;
+    const double z6 = R_0 * z4;
+    const double z7 = R_3 * z5 + R_1 * z6;
+    const double z8 = z7 * z7;
+    const double R_z3 = 1.0 - 2.0 * (R_2 * z5 + z2 * z4);
+    const double z9 = k2 * R_z3 * R_z3;
+    const double z10 = 4.0 * (k2 * z8) + (I1 + z9);
+    const double z11 = R_1 * R_3;
+    const double z12 = R_2 * z6 - z4 * z11;
+    const double z13 = z12 * z12;
+    const double z14 = I2 + z9 + 4.0 * (k2 * z13);
+    const double z15 = z7 * k2;
+    const double z16 = z15 * z12;
+    const double z17 = 1.0 / z10;
+    const double z18 = z16 * z17;
+    const double z19 = z14 - 16.0 * (z16 * z18);
+    const double z20 = I3 + 4.0 * (k2 * (z8 + z13));
+    const double z21 = k2 * (z12 * R_z3);
+    const double z22 = z21 * z17;
+    const double z23 = 2.0 * (z15 * R_z3) + 8.0 * (z16 * z22);
+    const double z24 = 1.0 / z19;
+    const double z25 = z23 * z24;
+    const double z26 = z20 - 4.0 * (z21 * z22) - z23 * z25;
+    const double z27 = z4 * k1;
     const double w2 = y[7]; /* [rad/s] */
     const double w3 = y[8]; /* [rad/s] */
     const double z28 = w2 * w3 * k3;
     const double w1 = y[6]; /* [rad/s] */
-    const double z29 = w1 * w3 * k4 - 4.0 * (z28 * z19);
-    const double z30 = (w1 * w2 * k5 + 2.0 * (z28 * z23) - z26 * z29) / z27;
-    const double z31 = k1 * z5;
-    const double z32 = z30 * z31;
-    const double z33 = R_1 * R_2;
-    const double z34 = R_0 * R_3;
-    const double z35 = z25 * z29 - z26 * z30;
-    const double z36 = z28 * z18 - 4.0 * (z19 * z35) + 2.0 * (z23 * z30);
-    const double z37 = 2.0 * ((R_2 * R_3 - R_0 * R_1) * z32) + (2.0 * ((z33 + z34) * (z36 * z31)) - k1 * (z35
-        * (1.0 - 2.0 * (z4 * z5))));
-    const double z38 = k1 * (z36 * (1.0 - 2.0 * ((z2 + z3) * z5))) - 2.0 * ((z33 - z34) * (z35 * z31));
+    const double z29 = w1 * w3 * k4 + 4.0 * (z28 * z18);
+    const double z30 = (w1 * w2 * k5 - 2.0 * (z28 * z22) - z25 * z29) / z26;
+    const double z31 = z27 * z30;
+    const double z32 = R_1 * R_2;
+    const double z33 = R_0 * R_3;
+    const double z34 = z24 * z29 - z25 * z30;
+    const double z35 = z28 * z17 + 4.0 * (z18 * z34) - 2.0 * (z22 * z30);
+    const double z36 = 2.0 * ((z32 + z33) * (z27 * z35)) - k1 * ((1.0 - 2.0 * (z4 * (z2 + z1))) * z34);
+    const double z37 = 2.0 * ((z11 + R_0 * R_2) * z31) - (k1 * ((1.0 - 2.0 * (z3 * z4)) * z35) + 2.0 * ((z32
+        - z33) * (z27 * z34)));
     /* (I.4.1) 23:5 */
-    lambda[0] = z37; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = 2.0 * ((R_2 * R_3 - R_0 * R_1) * z31) + z36; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 24:5 */
-    lambda[1] = -(2.0 * ((z12 + R_0 * R_2) * z32) + z38); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = -z37; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 10:3 */
     lambda[2] = 0.0; /* reaction of R_norm: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z20) > 1e-13 * z15 && fabs(z27) > 1e-13 * z21)) {
-        /* the mass matrix is singular, if z11 is 0 */
-        if (!(fabs(z11) > 0.0)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z11), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z19) > 1e-13 * z14 && fabs(z26) > 1e-13 * z20)) {
+        /* the mass matrix is singular, if z10 is 0 */
+        if (!(fabs(z10) > 0.0)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z10), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular, if z20 is nearly 0 */
-        if (!(fabs(z20) > 1e-13 * z15)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z20), 1e-13 * z15,
+        /* the mass matrix is singular, if z19 is nearly 0 */
+        if (!(fabs(z19) > 1e-13 * z14)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z19), 1e-13 * z14,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
-        /* the mass matrix is singular, if z27 is nearly 0 */
-        if (!(fabs(z27) > 1e-13 * z21)) {
-            return chaplygin_ball_quaternion_refuse(fabs(z27), 1e-13 * z21,
+        /* the mass matrix is singular, if z26 is nearly 0 */
+        if (!(fabs(z26) > 1e-13 * z20)) {
+            return chaplygin_ball_quaternion_refuse(fabs(z26), 1e-13 * z20,
                 CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(3, lambda);

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:d8c2b1645522f387).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:4c20d73a72c652e4).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -527,62 +527,61 @@ def reactions(
         k4 = I1 - I3
         k5 = I1 - I2
         # from the state
-        z1 = R_1 * R_1
-        z2 = R_2 * R_2
-        z3 = R_3 * R_3
-        z4 = z1 + z3
-        z5 = 1.0 / (R_0 * R_0 + z2 + z4)
-        z6 = R_2 * z5
-        R_z3 = 1.0 - 2.0 * (z1 * z5 + R_2 * z6)
-        z7 = k2 * R_z3 * R_z3
-        z8 = R_0 * z5
-        z9 = R_3 * z6 + R_1 * z8
-        z10 = z9 * z9
-        z11 = I1 + z7 + 4.0 * (k2 * z10)
-        # the mass matrix is singular, if z11 is 0
-        if not abs(z11) > 0.0:
-            raise _refuse(abs(z11), 0.0, 2, "reactions")
-        z12 = R_1 * R_3
-        z13 = z12 * z5 - R_2 * z8
-        z14 = z13 * z13
-        z15 = I2 + z7 + 4.0 * (k2 * z14)
-        z16 = k2 * z9
-        z17 = z13 * z16
-        z18 = 1.0 / z11
-        z19 = z17 * z18
-        z20 = z15 - 16.0 * (z17 * z19)
-        # the mass matrix is singular, if z20 is nearly 0
-        if not abs(z20) > 1e-13 * z15:
-            raise _refuse(abs(z20), 1e-13 * z15, 2, "reactions")
-        z21 = I3 + 4.0 * (k2 * (z10 + z14))
-        z22 = k2 * (z13 * R_z3)
-        z23 = z22 * z18
-        z24 = 2.0 * (R_z3 * z16) + 8.0 * (z17 * z23)
-        z25 = 1.0 / z20
-        z26 = z24 * z25
-        z27 = z21 - 4.0 * (z22 * z23) - z24 * z26
-        # the mass matrix is singular, if z27 is nearly 0
-        if not abs(z27) > 1e-13 * z21:
-            raise _refuse(abs(z27), 1e-13 * z21, 2, "reactions")
+        z1 = R_3 * R_3
+        z2 = R_1 * R_1
+        z3 = R_0 * R_0 + z2
+        z4 = 1.0 / (z1 + (R_2 * R_2 + z3))
+        z5 = R_2 * z4
+        z6 = R_0 * z4
+        z7 = R_3 * z5 + R_1 * z6
+        z8 = z7 * z7
+        R_z3 = 1.0 - 2.0 * (R_2 * z5 + z2 * z4)
+        z9 = k2 * R_z3 * R_z3
+        z10 = 4.0 * (k2 * z8) + (I1 + z9)
+        # the mass matrix is singular, if z10 is 0
+        if not abs(z10) > 0.0:
+            raise _refuse(abs(z10), 0.0, 2, "reactions")
+        z11 = R_1 * R_3
+        z12 = R_2 * z6 - z4 * z11
+        z13 = z12 * z12
+        z14 = I2 + z9 + 4.0 * (k2 * z13)
+        z15 = z7 * k2
+        z16 = z15 * z12
+        z17 = 1.0 / z10
+        z18 = z16 * z17
+        z19 = z14 - 16.0 * (z16 * z18)
+        # the mass matrix is singular, if z19 is nearly 0
+        if not abs(z19) > 1e-13 * z14:
+            raise _refuse(abs(z19), 1e-13 * z14, 2, "reactions")
+        z20 = I3 + 4.0 * (k2 * (z8 + z13))
+        z21 = k2 * (z12 * R_z3)
+        z22 = z21 * z17
+        z23 = 2.0 * (z15 * R_z3) + 8.0 * (z16 * z22)
+        z24 = 1.0 / z19
+        z25 = z23 * z24
+        z26 = z20 - 4.0 * (z21 * z22) - z23 * z25
+        # the mass matrix is singular, if z26 is nearly 0
+        if not abs(z26) > 1e-13 * z20:
+            raise _refuse(abs(z26), 1e-13 * z20, 2, "reactions")
+        z27 = z4 * k1
         z28 = w2 * w3 * k3
-        z29 = w1 * w3 * k4 - 4.0 * (z28 * z19)
-        z30 = (w1 * w2 * k5 + 2.0 * (z28 * z23) - z26 * z29) / z27
-        z31 = k1 * z5
-        z32 = z30 * z31
-        z33 = R_1 * R_2
-        z34 = R_0 * R_3
-        z35 = z25 * z29 - z26 * z30
-        z36 = z28 * z18 - 4.0 * (z19 * z35) + 2.0 * (z23 * z30)
-        s1 = k1 * (z35 * (1.0 - 2.0 * (z4 * z5)))
-        s2 = 2.0 * ((z33 + z34) * (z36 * z31)) - s1
-        z37 = 2.0 * ((R_2 * R_3 - R_0 * R_1) * z32) + s2
-        s3 = k1 * (z36 * (1.0 - 2.0 * ((z2 + z3) * z5)))
-        z38 = s3 - 2.0 * ((z33 - z34) * (z35 * z31))
+        z29 = w1 * w3 * k4 + 4.0 * (z28 * z18)
+        z30 = (w1 * w2 * k5 - 2.0 * (z28 * z22) - z25 * z29) / z26
+        z31 = z27 * z30
+        z32 = R_1 * R_2
+        z33 = R_0 * R_3
+        z34 = z24 * z29 - z25 * z30
+        z35 = z28 * z17 + 4.0 * (z18 * z34) - 2.0 * (z22 * z30)
+        s1 = k1 * ((1.0 - 2.0 * (z4 * (z2 + z1))) * z34)
+        z36 = 2.0 * ((z32 + z33) * (z27 * z35)) - s1
+        s2 = k1 * ((1.0 - 2.0 * (z3 * z4)) * z35)
+        s3 = s2 + 2.0 * ((z32 - z33) * (z27 * z34))
+        z37 = 2.0 * ((z11 + R_0 * R_2) * z31) - s3
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 23:5
-            z37,
+            2.0 * ((R_2 * R_3 - R_0 * R_1) * z31) + z36,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 24:5
-            -(2.0 * ((z12 + R_0 * R_2) * z32) + z38),
+            -z37,
             # reaction of R_norm: Q_i gains lambda_3 a_3i (I.4.1) 10:3
             0.0,
         ]

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2ad05cbff5f905bc)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:a4b2274f6203b6f9)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -366,18 +366,16 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
 
     /* from the parameters alone */
     const double m = p[0]; /* mass [kg] */
-    const double a = p[2]; /* from the edge to the centre of mass [m] */
-    const double k1 = a * (m * a);
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
-    const double k2 = J + k1;
-    const double k3 = k1 / k2;
+    const double a = p[2]; /* from the edge to the centre of mass [m] */
+    const double k1 = J + a * (m * a);
+    const double k2 = m * J / k1;
 
     /* from the state */
     const double v = y[3]; /* [m/s] */
     const double w = y[4]; /* [rad/s] */
-    const double z1 = v * w;
     /* (I.4.1) 19:5 */
-    lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
+    lambda[0] = v * w * k2; /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * lambda[0])) {
@@ -385,9 +383,9 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
         if (!(fabs(m) > 0.0)) {
             return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular, if k2 is 0 */
-        if (!(fabs(k2) > 0.0)) {
-            return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
+        /* the mass matrix is singular, if k1 is 0 */
+        if (!(fabs(k1) > 0.0)) {
+            return chaplygin_sleigh_refuse(fabs(k1), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         return chaplygin_sleigh_finish(1, lambda);
     }

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:b0d73f40592f72ad)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:fc895b2194997b38)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -30,7 +30,7 @@
  * accelerations: 3 +-, 10 *, 1 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 1 +-, 2 *, 0 /, 2 calls
- * reactions: 2 +-, 5 *, 1 /, 0 calls
+ * reactions: 1 +-, 5 *, 1 /, 0 calls
  * energy: 2 +-, 7 *, 0 /, 0 calls
  * jacobian: 1 +-, 8 *, 1 /, 2 calls
  * outputs: 2 +-, 2 *, 0 /, 2 calls

@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:f8a189e448afb3fb).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:149f5a15ee9148ec).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Equations of motion: euler-lagrange (I.2.15)
@@ -30,7 +30,7 @@ velocities: 0 +-, 2 *, 0 /, 2 calls
 accelerations: 3 +-, 10 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 1 +-, 2 *, 0 /, 2 calls
-reactions: 2 +-, 5 *, 1 /, 0 calls
+reactions: 1 +-, 5 *, 1 /, 0 calls
 energy: 2 +-, 7 *, 0 /, 0 calls
 jacobian: 1 +-, 8 *, 1 /, 2 calls
 outputs: 2 +-, 2 *, 0 /, 2 calls
@@ -290,17 +290,15 @@ def reactions(
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
         # from the parameters alone
-        k1 = a * (m * a)
-        k2 = J + k1
-        # the mass matrix is singular, if k2 is 0
-        if not abs(k2) > 0.0:
-            raise _refuse(abs(k2), 0.0, 2, "reactions")
-        k3 = k1 / k2
+        k1 = J + a * (m * a)
+        # the mass matrix is singular, if k1 is 0
+        if not abs(k1) > 0.0:
+            raise _refuse(abs(k1), 0.0, 2, "reactions")
+        k2 = m * J / k1
         # from the state
-        z1 = v * w
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            m * (z1 - z1 * k3),
+            v * w * k2,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

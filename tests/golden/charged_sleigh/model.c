@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:f643ff24a8f59cea)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:1b829d75df74287d)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -367,19 +367,18 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     (void)t;
 
     /* from the parameters alone */
-    const double a = p[2]; /* from the edge to the centre of mass [m] */
-    const double k1 = a * a;
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
-    const double k2 = J + m * k1;
-    const double k3 = k1 / k2;
+    const double a = p[2]; /* from the edge to the centre of mass [m] */
+    const double k1 = J + m * (a * a);
+    const double k2 = J / k1;
 
     /* from the state */
     const double v = y[3]; /* [m/s] */
     const double w = y[4]; /* [rad/s] */
     const double B = p[3]; /* charge times field [kg/s] */
     /* (I.4.1) 20:5 */
-    lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
+    lambda[0] = v * (B + m * w) * k2; /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * lambda[0])) {
@@ -387,9 +386,9 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
         if (!(fabs(m) > 0.0)) {
             return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
-        /* the mass matrix is singular, if k2 is 0 */
-        if (!(fabs(k2) > 0.0)) {
-            return charged_sleigh_refuse(fabs(k2), 0.0, CHARGED_SLEIGH_SINGULAR_2);
+        /* the mass matrix is singular, if k1 is 0 */
+        if (!(fabs(k1) > 0.0)) {
+            return charged_sleigh_refuse(fabs(k1), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         return charged_sleigh_finish(1, lambda);
     }

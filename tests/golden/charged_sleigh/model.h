@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:498c4242bfc47eb7)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:6eb9153c5c878a0a)
  * Caplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: quasi-velocities of the spec
@@ -29,7 +29,7 @@
  * accelerations: 4 +-, 13 *, 2 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 1 +-, 2 *, 0 /, 2 calls
- * reactions: 4 +-, 6 *, 1 /, 0 calls
+ * reactions: 2 +-, 5 *, 1 /, 0 calls
  * energy: 7 +-, 15 *, 0 /, 2 calls
  * jacobian: 3 +-, 12 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls

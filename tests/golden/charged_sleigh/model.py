@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:f6ccddf5fcd56a55).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:f5ad5bf82e12e989).
 
 Čaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends
     on x and y.
@@ -30,7 +30,7 @@ velocities: 0 +-, 2 *, 0 /, 2 calls
 accelerations: 4 +-, 13 *, 2 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 1 +-, 2 *, 0 /, 2 calls
-reactions: 4 +-, 6 *, 1 /, 0 calls
+reactions: 2 +-, 5 *, 1 /, 0 calls
 energy: 7 +-, 15 *, 0 /, 2 calls
 jacobian: 3 +-, 12 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -295,16 +295,15 @@ def reactions(
         if not abs(m) > 0.0:
             raise _refuse(abs(m), 0.0, 2, "reactions")
         # from the parameters alone
-        k1 = a * a
-        k2 = J + m * k1
-        # the mass matrix is singular, if k2 is 0
-        if not abs(k2) > 0.0:
-            raise _refuse(abs(k2), 0.0, 2, "reactions")
-        k3 = k1 / k2
+        k1 = J + m * (a * a)
+        # the mass matrix is singular, if k1 is 0
+        if not abs(k1) > 0.0:
+            raise _refuse(abs(k1), 0.0, 2, "reactions")
+        k2 = J / k1
         # from the state
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 20:5
-            v * (B + m * (w - (B + m * w) * k3)),
+            v * (B + m * w) * k2,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

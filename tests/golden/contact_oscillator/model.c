@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:29b80c4299a26567)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:dffc3e24516f833a)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -302,12 +302,11 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
     const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
     const double x = y[0];
+    const double z = y[2];
     const double y_dot = y[3]; /* y' */
     const double z_dot = y[4]; /* z' */
-    const double z2 = x - y_dot * z_dot;
-    const double z = y[2];
     /* (I.4.1) 10:5 */
-    lambda[0] = z2 + (z - y_2 * z2) * (y_2 / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = (x + y_2 * z - y_dot * z_dot) / z1; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular, if z1 is 0 */

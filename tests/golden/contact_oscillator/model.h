@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:d934ea0f055bcb1e)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:b2615e8b60348bf1)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -28,7 +28,7 @@
  * accelerations: 4 +-, 4 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 0 calls
- * reactions: 4 +-, 4 *, 1 /, 0 calls
+ * reactions: 3 +-, 3 *, 1 /, 0 calls
  * energy: 5 +-, 7 *, 0 /, 0 calls
  * jacobian: 4 +-, 9 *, 1 /, 0 calls
  * outputs: 4 +-, 8 *, 0 /, 0 calls

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:70da13f99f10288d)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:292239e1fc849649)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -304,16 +304,14 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     /* from the state */
     const double y_2 = y[1]; /* y */
     const double z1 = 1.0 + y_2 * y_2;
+    const double x = y[0];
     const double z = y[2];
-    const double eps = p[0]; /* strength of the coupling */
-    const double z2 = 1.0 + eps * (z * z);
     const double y_dot = y[3]; /* y' */
     const double z_dot = y[4]; /* z' */
-    const double z3 = y_dot * z_dot;
-    const double x = y[0];
-    const double z4 = y_2 * (x * (y_2 * z2 - eps * (x * z)) - (z + y_2 * z3)) / z1;
+    const double eps = p[0]; /* strength of the coupling */
+    const double z2 = (x * (1.0 + z * eps * (z + x * y_2)) - (y_dot * z_dot - y_2 * z)) / z1;
     /* (I.4.1) 12:5 */
-    lambda[0] = x * z2 - (z3 + z4); /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z2; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular, if z1 is 0 */

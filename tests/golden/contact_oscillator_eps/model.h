@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:4b9bc27cf444d77c)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:831186066570ba16)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -31,7 +31,7 @@
  * accelerations: 6 +-, 10 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 0 calls
- * reactions: 7 +-, 11 *, 1 /, 0 calls
+ * reactions: 5 +-, 7 *, 1 /, 0 calls
  * energy: 6 +-, 9 *, 0 /, 0 calls
  * jacobian: 10 +-, 24 *, 1 /, 0 calls
  * outputs: 5 +-, 10 *, 0 /, 0 calls

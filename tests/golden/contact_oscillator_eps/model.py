@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:165faca824e63a62).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:e151e26821ac17d3).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -32,7 +32,7 @@ velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 6 +-, 10 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 0 calls
-reactions: 7 +-, 11 *, 1 /, 0 calls
+reactions: 5 +-, 7 *, 1 /, 0 calls
 energy: 6 +-, 9 *, 0 /, 0 calls
 jacobian: 10 +-, 24 *, 1 /, 0 calls
 outputs: 5 +-, 10 *, 0 /, 0 calls
@@ -275,12 +275,11 @@ def reactions(
         # the mass matrix is singular, if z1 is 0
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
-        z2 = 1.0 + eps * (z * z)
-        z3 = y_dot * z_dot
-        z4 = y_2 * (x * (y_2 * z2 - eps * (x * z)) - (z + y_2 * z3)) / z1
+        s1 = x * (1.0 + z * eps * (z + x * y_2))
+        z2 = (s1 - (y_dot * z_dot - y_2 * z)) / z1
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 12:5
-            x * z2 - (z3 + z4),
+            z2,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:6bb08fe799165316)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:d3e513c33106a2ce)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -350,9 +350,9 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
-    const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 10:5 */
-    lambda[0] = z2 + (x - s_xi * z2) * (s_xi / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
+    /* reaction of belt: Q_i gains lambda_1 a_1i */
+    lambda[0] = (y_2 + x * s_xi - c_xi * (x_dot * xi_dot)) / z1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular, if z1 is 0 */

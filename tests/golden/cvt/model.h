@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:315f5d9f16c581a2)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:2418eb800692e8f8)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Equations of motion: chaplygin (III.3)
  * Why: dependent velocities of the spec
@@ -28,7 +28,7 @@
  * accelerations: 4 +-, 5 *, 1 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
- * reactions: 4 +-, 5 *, 1 /, 2 calls
+ * reactions: 3 +-, 4 *, 1 /, 2 calls
  * energy: 5 +-, 8 *, 0 /, 2 calls
  * jacobian: 5 +-, 15 *, 1 /, 2 calls
  * outputs: 4 +-, 8 *, 0 /, 2 calls

@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:3b941f1fbfb61add).
+"""cvt, emitted by nhc 0.1.0 (nhc:870219d14fba00ff).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -29,7 +29,7 @@ velocities: 0 +-, 1 *, 0 /, 1 calls
 accelerations: 4 +-, 5 *, 1 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 4 +-, 5 *, 1 /, 2 calls
+reactions: 3 +-, 4 *, 1 /, 2 calls
 energy: 5 +-, 8 *, 0 /, 2 calls
 jacobian: 5 +-, 15 *, 1 /, 2 calls
 outputs: 4 +-, 8 *, 0 /, 2 calls
@@ -272,10 +272,9 @@ def reactions(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_xi = math.cos(xi)
-        z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
             # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            z2 + (x - s_xi * z2) * (s_xi / z1),
+            (y_2 + x * s_xi - c_xi * (x_dot * xi_dot)) / z1,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

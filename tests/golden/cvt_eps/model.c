@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:1699eba546e00e09)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:5f8b1e635282ca3c)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Equations of motion: chaplygin (III.3)
@@ -351,9 +351,9 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
 
     /* from the state */
     const double z1 = 1.0 + s_xi * s_xi;
-    const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 12:5 */
-    lambda[0] = z2 + (x - s_xi * z2) * (s_xi / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
+    /* reaction of belt: Q_i gains lambda_1 a_1i */
+    lambda[0] = (y_2 + x * s_xi - c_xi * (x_dot * xi_dot)) / z1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular, if z1 is 0 */

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:e2ccf61cfd3d245e)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:cf2f4c3e0b698726)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Equations of motion: chaplygin (III.3)
@@ -30,7 +30,7 @@
  * accelerations: 6 +-, 7 *, 1 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
- * reactions: 4 +-, 5 *, 1 /, 2 calls
+ * reactions: 3 +-, 4 *, 1 /, 2 calls
  * energy: 6 +-, 11 *, 0 /, 2 calls
  * jacobian: 6 +-, 17 *, 1 /, 2 calls
  * outputs: 5 +-, 11 *, 0 /, 2 calls

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:fa100734da68240e).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:5bc0925230d6bd37).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -30,7 +30,7 @@ velocities: 0 +-, 1 *, 0 /, 1 calls
 accelerations: 6 +-, 7 *, 1 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 4 +-, 5 *, 1 /, 2 calls
+reactions: 3 +-, 4 *, 1 /, 2 calls
 energy: 6 +-, 11 *, 0 /, 2 calls
 jacobian: 6 +-, 17 *, 1 /, 2 calls
 outputs: 5 +-, 11 *, 0 /, 2 calls
@@ -277,10 +277,9 @@ def reactions(
         if not abs(z1) > 0.0:
             raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_xi = math.cos(xi)
-        z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
             # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 12:5
-            z2 + (x - s_xi * z2) * (s_xi / z1),
+            (y_2 + x * s_xi - c_xi * (x_dot * xi_dot)) / z1,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

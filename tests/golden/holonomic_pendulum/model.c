@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:edb6d16176b8c989)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:798864644dea9c9b)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
@@ -330,25 +330,23 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
 
     /* from the state */
     const double x = y[0]; /* across [m] */
-    const double z1 = x * x;
     const double y_2 = y[1]; /* y: up [m] */
-    const double z2 = z1 + y_2 * y_2;
+    const double z1 = x * x + y_2 * y_2;
     const double v = y[2]; /* [1/s] */
-    const double z3 = v * v;
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     /* (I.4.1) 16:5 */
-    lambda[0] = m / z2 * (y_2 * (g - y_2 * z3) - z1 * z3); /* reaction of rod: Q_i gains lambda_1 a_1i */
+    lambda[0] = (y_2 * g / z1 - v * v) * m; /* reaction of rod: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     /* (times 0 it is NaN then, and the comparison fails) */
     if (!(fabs(m) > 0.0 * lambda[0])) {
-        /* the coframe is singular, if z2 is 0 */
-        if (!(fabs(z2) > 0.0)) {
-            return holonomic_pendulum_refuse(fabs(z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
+        /* the coframe is singular, if z1 is 0 */
+        if (!(fabs(z1) > 0.0)) {
+            return holonomic_pendulum_refuse(fabs(z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_1);
         }
-        /* the mass matrix is singular, or the velocities that are kept do not suffice, if m * z2 is 0 */
-        if (!(fabs(m * z2) > 0.0)) {
-            return holonomic_pendulum_refuse(fabs(m * z2), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
+        /* the mass matrix is singular, or the velocities that are kept do not suffice, if m * z1 is 0 */
+        if (!(fabs(m * z1) > 0.0)) {
+            return holonomic_pendulum_refuse(fabs(m * z1), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
         return holonomic_pendulum_finish(1, lambda);
     }

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:60ffb7f2beb40dc6)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:84980d30f71579db)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Equations of motion: euler-lagrange (I.2.15)
  * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
@@ -25,7 +25,7 @@
  * state: 2 +-, 4 *, 1 /, 0 calls
  * residuals: 1 +-, 2 *, 0 /, 0 calls
  * positions: 2 +-, 4 *, 0 /, 0 calls
- * reactions: 3 +-, 8 *, 1 /, 0 calls
+ * reactions: 2 +-, 6 *, 1 /, 0 calls
  * energy: 2 +-, 8 *, 0 /, 0 calls
  * jacobian: 2 +-, 13 *, 1 /, 0 calls
  * outputs: 1 +-, 2 *, 0 /, 0 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:8e65c95a4fd32618).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:fa3d76b1f8799a17).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -27,7 +27,7 @@ accelerations: 3 +-, 10 *, 1 /, 0 calls
 state: 2 +-, 4 *, 1 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
 positions: 2 +-, 4 *, 0 /, 0 calls
-reactions: 3 +-, 8 *, 1 /, 0 calls
+reactions: 2 +-, 6 *, 1 /, 0 calls
 energy: 2 +-, 8 *, 0 /, 0 calls
 jacobian: 2 +-, 13 *, 1 /, 0 calls
 outputs: 1 +-, 2 *, 0 /, 0 calls
@@ -295,19 +295,17 @@ def reactions(
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
         # from the state
-        z1 = x * x
-        z2 = z1 + y_2 * y_2
-        # the coframe is singular, if z2 is 0
-        if not abs(z2) > 0.0:
-            raise _refuse(abs(z2), 0.0, 1, "reactions")
+        z1 = x * x + y_2 * y_2
+        # the coframe is singular, if z1 is 0
+        if not abs(z1) > 0.0:
+            raise _refuse(abs(z1), 0.0, 1, "reactions")
         # the mass matrix is singular, or the velocities that are kept do not suffice,
-        # if m * z2 is 0
-        if not abs(m * z2) > 0.0:
-            raise _refuse(abs(m * z2), 0.0, 2, "reactions")
-        z3 = v * v
+        # if m * z1 is 0
+        if not abs(m * z1) > 0.0:
+            raise _refuse(abs(m * z1), 0.0, 2, "reactions")
         lambda_: list[float] = [
             # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 16:5
-            m / z2 * (y_2 * (g - y_2 * z3) - z1 * z3),
+            (y_2 * g / z1 - v * v) * m,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
