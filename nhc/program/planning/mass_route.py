@@ -231,7 +231,7 @@ def _dense(equations: Equations) -> MassRoute:
 
 def _in_blocks(equations: Equations, dense: MassRoute) -> list[MassRoute]:
     """By the short inverses of blocks, where these are shorter for it."""
-    found = short_inverse(equations.system, equations.mass) if equations.definite else None
+    found = short_inverse(equations.system, equations.mass, equations.force) if equations.definite else None
     if found is None:
         return []
     pivots, solve = found

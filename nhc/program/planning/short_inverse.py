@@ -37,10 +37,12 @@ class _Part:
     solve: Callable[[Sequence[Node]], list[Node]]
 
 
-def short_inverse(system: System, mass: Matrix) -> tuple[Pairs, Callable[[Sequence[Node]], list[Node]]] | None:
+def short_inverse(
+    system: System, mass: Matrix, force: Sequence[Node]
+) -> tuple[Pairs, Callable[[Sequence[Node]], list[Node]]] | None:
     """(pivot, scale) pairs and x with mass @ x = right, from ``right``; None where some block has no short inverse.
 
-    The matrix is symmetric and positive wherever the motion is regular.
+    The matrix is symmetric and positive wherever the motion is regular.  Of several ways the one that is short for the ``force``.
     """
     g, blocks = system.graph, _blocks(system.graph, mass)
     if len(blocks) == len(mass) or "short inverses" in g.off:
@@ -49,7 +51,10 @@ def short_inverse(system: System, mass: Matrix) -> tuple[Pairs, Callable[[Sequen
         return None
     parts = list[_Part]()
     for rows in blocks:
-        part = (_alone, _pair)[len(rows) - 1](g, mass, rows) if len(rows) < 3 else _by_rank_one(system, mass, rows)
+        if len(rows) == 1:
+            part: _Part | None = _alone(g, mass, rows)
+        else:
+            part = _pair(g, mass, force, rows) if len(rows) == 2 else _by_rank_one(system, mass, rows)
         if part is None:
             return None
         parts.append(part)
@@ -88,7 +93,8 @@ def _alone(g: Graph, mass: Matrix, rows: tuple[int, ...]) -> _Part:
     return _Part(rows, [(own, own)], lambda right: [g.div(right[0], own)])
 
 
-def _pair(g: Graph, mass: Matrix, rows: tuple[int, ...]) -> _Part | None:
+def _pair(g: Graph, mass: Matrix, force: Sequence[Node], rows: tuple[int, ...]) -> _Part | None:
+    """By the numerators of Cramer's rule, or by the entries of the inverse: what is shorter for this force."""
     i, j = rows
     first, second, off = mass[i][i], mass[j][j], mass[i][j]
     whole = g.sub(g.mul(first, second), g.power(off, 2))
@@ -96,12 +102,17 @@ def _pair(g: Graph, mass: Matrix, rows: tuple[int, ...]) -> _Part | None:
     if count(g, [short]) > _FEWER * count(g, [whole]) or keep_digits(g, [whole], [short]) == [whole]:
         return None
     inverse = g.inverse(short)
+    own, beside, other = shorten(g, [g.mul(second, inverse), g.neg(g.mul(off, inverse)), g.mul(first, inverse)])
 
-    def solve(right: Sequence[Node]) -> list[Node]:
+    def by_numerators(right: Sequence[Node]) -> list[Node]:
         x, y = right
         numerators = g.sub(g.mul(second, x), g.mul(off, y)), g.sub(g.mul(first, y), g.mul(off, x))
         return [g.mul(numerator, inverse) for numerator in numerators]
 
+    def by_entries(right: Sequence[Node]) -> list[Node]:
+        return [g.dot((own, beside), right), g.dot((beside, other), right)]
+
+    solve = min((by_numerators, by_entries), key=lambda way: count(g, shorten(g, way([force[i], force[j]]))))
     return _Part(rows, [(short, g.mul(first, second))], solve)
 
 
