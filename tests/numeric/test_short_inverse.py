@@ -28,8 +28,7 @@ ROLLING = 'constraints: ["x\' - a*(wy*nz - wz*ny) = 0", "y\' - a*(wz*nx - wx*nz)
 BALL = f"{OMEGA}T: m/2*(x'^2 + y'^2 + z'^2) + k*m*a^2*(wx^2 + wy^2 + wz^2)\nV: m*g*z\n{ROLLING}"
 SYSTEMS = {
     "point on a sphere": (
-        f"{HEAD}coordinates: [x, y]\ndefine: {{z: sqrt(b^2 - x^2 - y^2)}}\n"
-        "T: m/2*(x'^2 + y'^2 + z'^2)\nV: m*g*z\nforces: {x: -k*x', y: -k*x*y'}\n",
+        f"{HEAD}coordinates: [x, y]\ndefine: {{z: sqrt(b^2 - x^2 - y^2)}}\nT: m/2*(x'^2 + y'^2 + z'^2)\nV: m*g*z\n",
         0.85,
     ),
     "point at half the speed of light": (

@@ -11,8 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nhc.algebra.exact.modular import are_equal
+from nhc.algebra.expand import TooLarge
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.parts import divisors_in, take_out_common
+from nhc.algebra.polynomial import polynomial
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.shorten import canonical_form, shorten
 from nhc.algebra.walks import count
@@ -124,12 +126,11 @@ def _by_rank_one(system: System, mass: Matrix, rows: tuple[int, ...]) -> _Part |
     diagonal = list[Node]()
     for k in range(size):
         diagonal += shorten(g, [g.sub(m[k][k], squares[k])])
-        if g.depends(diagonal[k], ~g.mask(system.p)):
+        if g.depends(diagonal[k], ~g.mask(system.p)) or not _keeps_its_sign(g, diagonal[k]):
             return None
     direction = take_out_common(g, shorten(g, [squares[0], *m[0][1:]]))[1]
     (k,) = shorten(g, [g.div(m[0][1], g.mul(direction[0], direction[1]))])
-    new = divisors_in(g, [*direction, k]) - divisors_in(g, [x for row in m for x in row])
-    if any(g.depends(node, ~g.mask(system.p)) for node in new):
+    if divisors_in(g, [*direction, k]) - divisors_in(g, [x for row in m for x in row]):
         return None  # they might vanish where the matrix is regular
     made = [g.product([k, direction[i], direction[j]]) for i in range(size) for j in range(i)]
     if not are_equal(g, made, [m[i][j] for i in range(size) for j in range(i)]):
@@ -143,6 +144,14 @@ def _by_rank_one(system: System, mass: Matrix, rows: tuple[int, ...]) -> _Part |
         return [g.div(g.sub(x, g.mul(along, v)), d) for x, v, d in zip(right, direction, diagonal, strict=True)]
 
     return _Part(rows, [*((d, d) for d in diagonal), (height, g.one)], solve)
+
+
+def _keeps_its_sign(g: Graph, node: Node) -> bool:
+    """Whether a sum of masses and moments of inertia has one sign before all of them: I + m a^2, which no values make zero."""
+    try:
+        return len({c > 0 for c in polynomial(g, node).values()}) == 1
+    except TooLarge:
+        return False
 
 
 def _square(g: Graph, m: Matrix, k: int) -> Node:
