@@ -27,7 +27,7 @@ SYSTEMS = (
     *("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle"),
     *("snakeboard", "smooth_tippe_top", "voronec_particle", "atoms3", "ball_arm3", "satellite3", "written_out_top"),
     *("chaplygin_ball_quaternion", "bowl", "arm6", "belt_egg", "submarine", "written_out_arm4", "flat_arm2"),
-    *("spherical2", "turned_top", "dome"),
+    *("spherical2", "turned_top", "dome", "turret"),
 )
 COUNTED = ("rhs", "velocities", "accelerations", "residuals", "reactions", "energy", "jacobian")
 

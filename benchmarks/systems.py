@@ -20,7 +20,8 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>``, ``atoms<N>``,
     ``ball_arm<N>``, ``satellite<N>``, ``arm<N>``, ``bowl``, ``belt_egg``, ``submarine``,
-    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>``, ``spherical<N>``, ``turned_top`` or ``dome``.
+    ``written_out_top``, ``written_out_arm<N>``, ``flat_arm<N>``, ``spherical<N>``, ``turned_top``,
+    ``dome`` or ``turret``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -356,6 +357,21 @@ def _dome(_: int, __: bool) -> str:
     )
 
 
+def _turret(_: int, __: bool) -> str:
+    """A weight slides in a turning tube and carries a pendulum, without gravity."""
+    return _assemble(
+        "turret",
+        [
+            ("coordinates", "[th, r, a]"),
+            ("parameters", "{I: 0.3, m1: 0.4, m2: 0.5, l2: 0.6, k: 0.7, l1: 0.8}"),
+            ("define", ["x: r*cos(th)", "y: r*sin(th)", "X: x + l2*cos(a + th)", "Y: y + l2*sin(a + th)"]),
+            ("T", "m1/2*(x'^2 + y'^2) + m2/2*(X'^2 + Y'^2) + I*th'^2/2"),
+            ("V", "k*(r - l1)^2/2"),
+            _scene("th: 0.3, r: 1, a: 0.4, th': 1"),
+        ],
+    )
+
+
 def _turned_top(_: int, __: bool) -> str:
     """A heavy top whose quasi-velocities are on its own axes, written with the angular velocity in space."""
     own = [f"B_x{k}*p + B_y{k}*q + B_z{k}*r" for k in (1, 2, 3)]
@@ -545,6 +561,7 @@ _FAMILIES = {
     "bowl": _bowl,
     "turned_top": _turned_top,
     "dome": _dome,
+    "turret": _turret,
     "arm": _arm,
     "belt_egg": _belt_egg,
     "submarine": _submarine,

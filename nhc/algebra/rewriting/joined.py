@@ -1,7 +1,8 @@
-"""Sines and cosines of sums and differences of angles, where the addition theorems were written out: for paper.
+"""Sines and cosines of sums and differences of angles, where the addition theorems were written out.
 
 cos(a) cos(b) + sin(a) sin(b) is cos(a - b), whatever the two terms are multiplied with; repeated, sums of three angles and more.
-Emitted code keeps the products, whose sines and cosines it has anyway (the other way round is :mod:`.related`).
+For paper; emitted code keeps the products, whose sines and cosines it has anyway, but for :mod:`.differences` (the reverse is
+:mod:`.related`).
 """
 
 from __future__ import annotations

@@ -118,11 +118,6 @@ RULES = (
         "mechanics/invariant.py",
     ),
     Rule(
-        "lone points",
-        "a point in space on which no other stands has the squares of single velocities in place of those of its components",
-        "mechanics/lone_points.py",
-    ),
-    Rule(
         "spherical tops",
         "the angular velocity of a body with three equal moments of inertia is solved for in space, and brought back to its axes",
         "mechanics/spherical_tops.py",
@@ -161,6 +156,11 @@ RULES = (
         "pieces",
         "in a spec that is large or contains numbers, expressions between shared nodes become canonical forms, if shorter",
         "algebra/rewriting/pieces.py",
+    ),
+    Rule(
+        "joined angles",
+        "cos a cos b + sin a sin b becomes cos(a - b), where fewer sines and cosines are called then",
+        "algebra/rewriting/differences.py",
     ),
     Rule(
         "related angles",

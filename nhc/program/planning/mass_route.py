@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.rewriting.differences import join_angles
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.walks import count
 from nhc.mechanics.associate import Equations
@@ -17,7 +18,6 @@ from nhc.mechanics.detour import Detour, find_detour
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.in_space import find_in_space
 from nhc.mechanics.invariant import at_zero
-from nhc.mechanics.lone_points import by_single_velocities
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.trees import FEW
 from nhc.program.plan import factor, solve_factored
@@ -95,7 +95,8 @@ def mass_route(
         bound = full.system.l > len(full.system.rotations)  # by more than the lengths of quaternions
         detour = find_detour(full, kept) if not bound or least <= _SHORT * size else None
         found += [_by(way, full, put_in) for way in (detour, *in_space) if way is not None]
-        found += _with_other_energies(full, put_in, kept)
+        turned = _with_another_energy(full, put_in, kept)
+        found += [turned] if turned is not None else []
         least = min(count(g, way.values) for way in found)
     bodies = _of_bodies(full, put_in) if least > _APART * size else None
     if len(found) == 1 and bodies is None:
@@ -109,23 +110,23 @@ def mass_route(
     def cost(way: MassRoute) -> float:
         waits = way.chained and moving(way) > 0
         refuses = _REFUSES if way.turned else 1  # near what a detour's own coframe is singular at
-        return refuses * work(g, way.values) + CHAINED * size * waits
+        return refuses * work(g, join_angles(g, way.values)) + CHAINED * size * waits
 
     best = min(found, key=lambda way: (cost(way), moving(way)))
     return bodies if bodies is not None and _SHORTER * cost(bodies) < cost(best) else best
 
 
-def _with_other_energies(full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> list[MassRoute]:
-    """The dense way with T at zero of an angle that it does not depend on, and with lone points by single velocities."""
+def _with_another_energy(full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> MassRoute | None:
+    """The dense way with T at zero of an angle that it does not depend on."""
     if full.tree is not None or full.motion.velocities != full.motion.w or full.motion.w != full.system.v:
-        return []
-    g, found = full.system.graph, list[MassRoute]()
-    for system in filter(None, (at_zero(full.system), by_single_velocities(full.system))):
-        equations = equations_of(system, Formulation("lagrange", full.number, None, None, (), ""))
-        inner = mass_route(equations, equations, {}, kept, straight=True)
-        values, pivots = substitute(g, inner.values, put_in), _in_pairs(g, inner.pivots, put_in)
-        found.append(MassRoute(values, pivots, short=True, chained=inner.chained))
-    return found
+        return None
+    g, system = full.system.graph, at_zero(full.system)
+    if system is None:
+        return None
+    equations = equations_of(system, Formulation("lagrange", full.number, None, None, (), ""))
+    inner = mass_route(equations, equations, {}, kept, straight=True)
+    values, pivots = substitute(g, inner.values, put_in), _in_pairs(g, inner.pivots, put_in)
+    return MassRoute(values, pivots, short=True, chained=inner.chained)
 
 
 def _along_held(

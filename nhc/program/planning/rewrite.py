@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.rewriting.differences import join_angles
 from nhc.algebra.rewriting.factors import find_factors
 from nhc.algebra.rewriting.numbers import fold_numbers
 from nhc.algebra.rewriting.pieces import shorten_pieces
@@ -21,7 +22,7 @@ def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:
     g, constants = planner.graph, planner.graph.mask(planner.parameters)
 
     def change(nodes: Sequence[Node]) -> list[Node]:
-        made = relate_angles(g, nodes)
+        made = relate_angles(g, join_angles(g, nodes))
         if plan.name == "rhs":  # only what is called all the time is worth the trouble
             made = shorten_pieces(g, made)
         made = _shorter(g, made, share_values(g, made))

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:aa09aaa3342a6b3f)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:303a123a99c7ff33)
  * The symmetric top with a fixed point (Lagrange's top).
  * Equations of motion: lagrange (II.3)
  * Why: no constraints
@@ -439,17 +439,17 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     const double k4 = 2.0 - k2;
 
     /* from the state */
-    const double z1 = 1.0 / s_theta;
-    const double z2 = phi_dot * c_theta;
-    const double z3 = (psi_dot + z2) * k2;
-    const double z4 = 2.0 * z2 - z3;
-    const double z5 = theta_dot * z1;
+    const double z1 = phi_dot * c_theta;
+    const double z2 = (psi_dot + z1) * k2;
+    const double z3 = 2.0 * z1 - z2;
+    const double z4 = 1.0 / s_theta;
+    const double z5 = theta_dot * z4;
     const double z6 = phi_dot * s_theta;
-    const double z7 = z1 * z1 * (theta_dot * c_theta * z4) + z5 * (z6 * k4);
+    const double z7 = z3 * (theta_dot * c_theta * (z4 * z4)) + z5 * (z6 * k4);
     const double z8 = z5 * (c_theta * k4);
-    const double z9 = z1 * z4;
+    const double z9 = z4 * z3;
     const double z10 = k2 * z5;
-    const double z11 = z2 - z3;
+    const double z11 = z1 - z2;
     const double z12 = z6 * k2;
     /* (II.3) */
     J[3] = 1.0;
@@ -462,7 +462,7 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     J[25] = c_theta * (k3 + phi_dot * z11) - z6 * (z6 - z12);
     J[27] = s_theta * (z11 + phi_dot * (c_theta - c_theta * k2));
     J[29] = -z12;
-    J[31] = theta_dot * z2 - (theta_dot * z4 + c_theta * z7);
+    J[31] = theta_dot * z1 - (theta_dot * z3 + c_theta * z7);
     J[33] = theta_dot * s_theta + c_theta * z8;
     J[34] = z6 + c_theta * z9;
     J[35] = -c_theta * z10;

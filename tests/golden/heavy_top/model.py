@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:114de5dd368963f5).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:b3a05b73a1eafb55).
 
 The symmetric top with a fixed point (Lagrange's top).
 Equations of motion: lagrange (II.3)
@@ -364,18 +364,18 @@ def jacobian(
         # the mass matrix is singular, if I1 * s1 is 0
         if not abs(I1 * s1) > 0.0:
             raise _refuse(abs(I1 * s1), 0.0, 2, "jacobian")
-        z1 = 1.0 / s_theta
         c_theta = math.cos(theta)
-        z2 = phi_dot * c_theta
-        z3 = (psi_dot + z2) * k2
-        z4 = 2.0 * z2 - z3
-        z5 = theta_dot * z1
+        z1 = phi_dot * c_theta
+        z2 = (psi_dot + z1) * k2
+        z3 = 2.0 * z1 - z2
+        z4 = 1.0 / s_theta
+        z5 = theta_dot * z4
         z6 = phi_dot * s_theta
-        z7 = z1 * z1 * (theta_dot * c_theta * z4) + z5 * (z6 * k4)
+        z7 = z3 * (theta_dot * c_theta * (z4 * z4)) + z5 * (z6 * k4)
         z8 = z5 * (c_theta * k4)
-        z9 = z1 * z4
+        z9 = z4 * z3
         z10 = k2 * z5
-        z11 = z2 - z3
+        z11 = z1 - z2
         z12 = z6 * k2
         J: list[float] = [
             0.0,
@@ -420,7 +420,7 @@ def jacobian(
             -z12,
             0.0,
             # (II.3)
-            theta_dot * z2 - (theta_dot * z4 + c_theta * z7),
+            theta_dot * z1 - (theta_dot * z3 + c_theta * z7),
             0.0,
             # (II.3)
             theta_dot * s_theta + c_theta * z8,
