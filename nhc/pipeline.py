@@ -46,8 +46,8 @@ if TYPE_CHECKING:
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.study import Show
     from nhc.study.linearization.motion import Findings, Request
+    from nhc.study.simplify.elimination import Show as ShowTrial
     from nhc.study.simplify.ladder import Ladder
-    from nhc.study.simplify.search import Show as ShowTrial
     from nhc.study.stability.laboratory import Laboratory, Question
 
 

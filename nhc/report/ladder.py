@@ -5,9 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from nhc.study.chart.words import duration
-from nhc.study.simplify.ladder import Ladder
+from nhc.study.simplify.ladder import NOT_MEASURED, NOTHING_SAVED, Ladder
 
 _LONGER = 1.2  # times the work of another model in a run, where the smallest one is said to take longer
+_FEW = 3  # things that stay for one reason, up to which each has a line
 _SHOWN = 6  # needed quantities with a column of their own in the table
 
 
@@ -27,10 +28,24 @@ def print_ladder(ladder: Ladder, width: int = 0) -> str:
         lines.append("nothing can be left out within the tolerance")
     if ladder.kept:
         lines.append("kept")
-        lines += [f"  {kept.about}: {kept.reason}" for kept in ladder.kept]
+        lines += _reasons(ladder)
     if ladder.bounded:
         lines.append(f"the bound of {ladder.most} runs was reached: more could perhaps be left out")
     return "\n".join(lines)
+
+
+def _reasons(ladder: Ladder) -> list[str]:
+    """What is missed where it is left out, then how much would save nothing and how much was not measured."""
+    idle = [kept for kept in ladder.kept if kept.reason.startswith(NOTHING_SAVED)]
+    unknown = [kept for kept in ladder.kept if kept.reason.startswith(NOT_MEASURED)]
+    found = [f"  {kept.about}: {kept.reason}" for kept in ladder.kept if kept not in idle and kept not in unknown]
+    for some, words in ((idle, NOTHING_SAVED), (unknown, f"{NOT_MEASURED}, for the bound on runs is reached")):
+        if len(some) > _FEW:
+            plural = words.replace("without it", "without any of them")
+            found.append(f"  {len(some)} more: {plural} (`--json` has them all)")
+        else:
+            found += [f"  {kept.about}: {kept.reason}" for kept in some]
+    return found
 
 
 def _table(ladder: Ladder, width: int) -> list[str]:

@@ -89,14 +89,20 @@ def group(candidates: Sequence[Candidate]) -> list[Candidate]:
     """Coordinates that are held together, two of them and all of them: one alone may be worse than none or both."""
     held = [c for c in candidates if c.kind == "held"][:_MOST]
     sets = [*combinations(held, 2), *([tuple(held)] if len(held) > 2 else [])]
-    return [
-        Candidate(
-            f"coordinates {', '.join(f'`{c.name}`' for c in parts)}, held where they start (stiff)",
-            "group",
-            parts=parts,
-        )
-        for parts in sets
-    ]
+    return [Candidate(_name_held(parts), "group", parts=parts) for parts in sets]
+
+
+def name_beyond(candidate: Candidate, gone: Iterable[Candidate]) -> str:
+    """What a candidate leaves out beyond what is gone: of coordinates that are held together, those that were not."""
+    before = expand(gone)
+    parts = [part for part in candidate.parts if part not in before]
+    if not 0 < len(parts) < len(candidate.parts):
+        return candidate.about
+    return parts[0].about if len(parts) == 1 else _name_held(parts)
+
+
+def _name_held(parts: Sequence[Candidate]) -> str:
+    return f"coordinates {', '.join(f'`{c.name}`' for c in parts)}, held where they start (stiff)"
 
 
 def expand(candidates: Iterable[Candidate]) -> tuple[Candidate, ...]:

@@ -5,6 +5,10 @@ from __future__ import annotations
 from nhc.program.scene_model import ENTRY
 from nhc.records import record
 
+NOTHING_SAVED = "nothing is saved without it"
+NOT_MEASURED = "not measured"
+"""How the reasons begin of what stays without being missed, and of what was not looked at."""
+
 
 @record
 class Size:
