@@ -142,6 +142,8 @@ def describe(found: Findings, notes: Sequence[str]) -> dict[str, Any]:
             for c in found.swept.crossings
         ]
         tree["unlocated"] = [{"low": low, "high": high} for low, high in found.swept.unlocated]
+        tree["missing"] = [{"value": value, "reason": why} for value, why in found.swept.missing]
+        tree["ends"] = [{"with": inside, "without": outside} for inside, outside in found.swept.ends]
     return tree
 
 
@@ -285,6 +287,11 @@ def _sweep_lines(name: str, swept: Sweep) -> list[str]:
         found = modes(point)
         largest = f"{max(_clean(mode) for mode in found) + 0.0:.10g}" if found else "none"
         lines.append(f"  {value:<14.10g} {sum(mode.grows for mode in found)} of {len(found)}  {largest}")
+    lines += [f"  {value:<14.10g} no steady motion found: {why}" for value, why in swept.missing]
+    lines += [
+        f"the steady motions end between {name} = {inside:.10g}, where there is one, and {outside:.10g}"
+        for inside, outside in swept.ends
+    ]
     lines.append("crossings")
     for c in swept.crossings:
         period = f", frequency {c.frequency:.10g}" if c.frequency else ""

@@ -28,12 +28,12 @@ from nhc.mechanics.values import constant_value
 from nhc.pipeline import Options, linearize, model
 from nhc.study.linearization import absent as absent_module
 from nhc.study.linearization import linearize as linearize_module
+from nhc.study.linearization.branch import Branch
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import eigenvalues, verdict
 from nhc.study.linearization.motion import Findings, Request, named_quantity, steady_model
 from nhc.study.linearization.steady import find_steady
-from nhc.study.linearization.sweep import Branch
 from nhc.study.linearization.tape import Tape
 from nhc.study.stability.motions import Search, steady_motion
 from tests.support import hide_numpy, seldom, spec_path
@@ -746,8 +746,42 @@ def test_the_command_line_gives_the_same_in_full(capsys: pytest.CaptureFixture[s
 def test_values_without_a_size_are_no_warning_of_numpy(capsys: pytest.CaptureFixture[str]) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert main(["linearize", "rolling_disk", "--sweep", "w_n=1:1e308:3"]) == 3
-    assert "error: at 5e+307: the iteration stops" in capsys.readouterr().err
+        assert main(["linearize", "rolling_disk", "--sweep", "w_n=1:1e308:3"]) == 0
+    told = capsys.readouterr().out
+    assert "5e+307         no steady motion found: the iteration stops" in told
+    assert main(["linearize", "rolling_disk", "--sweep", "w_n=5e307:1e308:2"]) == 3
+    assert "error: at w_n = 5e+307: the iteration stops" in capsys.readouterr().err
+
+
+FOLD = """\
+nhc: 1
+system: fold
+coordinates: [x]
+parameters: {mu: 1, c: 0.1}
+T: x'^2/2
+V: x^3/3 - mu*x
+forces: {x: -c*x'}
+scenes: {s: {initial: {x: 0.9}, time: [0, 5]}}
+"""
+
+
+def test_a_sweep_over_a_fold_ends_there(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """x = sqrt(mu), lambda^2 + c lambda + 2 sqrt(mu) = 0: nothing is steady below mu = 0."""
+    source = Source("fold.yaml", FOLD)
+    swept = linearize(source, Request("s", (), (), ("mu", -1.0, 1.0, 8)), Options()).swept
+    assert swept is not None and len(swept.values) == len(swept.missing) == 4
+    for mu, point in zip(swept.values, swept.points, strict=True):
+        assert point.steady.y[0] == pytest.approx(math.sqrt(mu), rel=1e-9)
+        assert abs(eigenvalues(point)[0]) ** 2 == pytest.approx(2 * math.sqrt(mu), rel=1e-7)
+    ((inside, outside),) = swept.ends
+    assert -1e-5 < outside <= inside < 1e-3
+    path = tmp_path / "fold.yaml"
+    path.write_text(FOLD, encoding="utf-8")
+    assert main(["linearize", str(path), "--sweep", "mu=-1:1:8"]) == 0
+    told = capsys.readouterr().out
+    assert "the steady motions end between mu = " in told and told.count("no steady motion found") == 4
+    assert main(["stability", str(path), "--about", "s", "--sweep", "mu=-1:1:8"]) == 0
+    assert "the steady motions end" in capsys.readouterr().out
 
 
 def test_without_numpy_the_packages_are_named(

@@ -38,12 +38,13 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value, named_constants
 from nhc.records import record
 from nhc.study.linearization.asked import SNAP, find_asked, has_halted, is_missed, list_lost
+from nhc.study.linearization.branch import Branch
 from nhc.study.linearization.coframes import by_multipliers, elsewhere
 from nhc.study.linearization.field import Hold, SteadyModel
 from nhc.study.linearization.found import NotSteady, Steady, check_frame, check_smooth
 from nhc.study.linearization.leaf import defined_at, held_on_leaf, leaf_integrals
 from nhc.study.linearization.linearize import Linearisation, linearise_at
-from nhc.study.linearization.sweep import Branch, Sweep, sweep
+from nhc.study.linearization.sweep import Sweep, sweep
 from nhc.study.linearization.tape import Tapes
 
 
@@ -311,11 +312,14 @@ def sweep_along(
     if name not in parameters:
         node = named_quantity(model.flow, name, "--sweep", parameters)
         others = tuple(hold for hold in holds if hold.node != node)
-        return sweep(Branch(lambda value: (model, (*others, Hold(name, node, value))), begin), values)
+        own = _value_at(model, begin, name)
+        return sweep(Branch(lambda value: (model, (*others, Hold(name, node, value))), begin), values, name, own)
     index = parameters.index(name)
-    found = sweep(Branch(lambda value: (model.with_parameter(index, value), holds), begin), values)
+    found = sweep(
+        Branch(lambda value: (model.with_parameter(index, value), holds), begin), values, name, model.p[index]
+    )
     gone = []
-    for value, point in zip(values, found.points, strict=True):
+    for value, point in zip(found.values, found.points, strict=True):
         at, y = model.with_parameter(index, value), point.steady.y
         gone.append(list_lost(at, scene, guess, y) if has_halted(at, guess, y) else ())
     return replace(found, gone=tuple(gone))

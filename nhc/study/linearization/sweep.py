@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from nhc.records import record
-from nhc.study.linearization.field import Hold, SteadyModel
+from nhc.study.linearization.branch import Branch, find_end, follow, runs_of
 from nhc.study.linearization.found import NotSteady
 from nhc.study.linearization.linearize import Linearisation, Mode, linearise_at, modes
 from nhc.study.linearization.narrowing import End, narrow
 from nhc.study.linearization.spectrum import ROUNDING
-from nhc.study.linearization.steady import find_motion, find_steady
 from nhc.study.linearization.units import Matrix
 from nhc.study.linearization.zeros import chain_of, sign_of, size_of, told_sign, without
 
@@ -49,7 +48,9 @@ class Crossing:
 @record
 class Sweep:
     """Linearisations at ``values`` and the crossings between them; ``unlocated`` are neighbours between which the number of growing
-    eigenvalues changes, and no crossing is found; ``gone``: at each value what has become of velocities that were asked for.
+    eigenvalues changes, and no crossing is found; ``gone``: at each value what has become of velocities that were asked for;
+    ``missing``: values at which no steady motion was found, and why; ``ends``: neighbours of which only the first
+    has one, as near to each other as was looked.
     """
 
     values: tuple[float, ...]
@@ -57,6 +58,8 @@ class Sweep:
     crossings: tuple[Crossing, ...]
     unlocated: tuple[tuple[float, float], ...] = ()
     gone: tuple[tuple[str, ...], ...] = ()
+    missing: tuple[tuple[float, str], ...] = ()
+    ends: tuple[tuple[float, float], ...] = ()
 
     def leaves(self) -> tuple[float, str] | None:
         """The first value at which the motion is not the one that was asked about, and what has become of that."""
@@ -64,56 +67,41 @@ class Sweep:
         return next(((value, "; ".join(gone)) for value, gone in values if gone), None)
 
 
-class Branch:
-    """Steady motions along one number, each found from the nearest one before."""
-
-    def __init__(self, model: Callable[[float], tuple[SteadyModel, tuple[Hold, ...]]], guess: Sequence[float]) -> None:
-        self._model = model
-        self._known: dict[float, tuple[float, ...]] = {}
-        self._guess = tuple(guess)
-        self.family: int | None = None
-        self._turns: int | None = None  # how many, which tells the group
-
-    def __call__(self, value: float) -> Linearisation:
-        """The linearisation at a value.
-
-        Raises:
-            NotSteady: the branch ends before.
-        """
-        model, holds = self._model(value)
-        near = min(self._known, key=lambda known: abs(known - value), default=None)
-        if self._turns is not None:
-            model = replace(model, symmetries=tuple(g for g in ((), *model.symmetries) if len(g) == self._turns))
-        if near is None:
-            steady = find_motion(model, self._guess, holds)
-        else:  # nothing but the branch itself, which may end
-            steady = find_steady(model, self._known[near], holds)
-        self._known[value], self._turns = steady.y, len(steady.turns)
-        return linearise_at(model, steady, self.family)
-
-
-def sweep(branch: Branch, values: Sequence[float]) -> Sweep:
-    """Linearise at the values and look for crossings between neighbours.
+def sweep(branch: Branch, values: Sequence[float], name: str, own: float) -> Sweep:
+    """Linearise at the values and look for crossings between neighbours; ``name`` is varied, and ``own`` where the guess is.
 
     Raises:
-        NotSteady: with the value where the branch ends.
+        NotSteady: there is a steady motion at none of the values.
     """
-    points = []
-    for value in values:
-        try:
-            points.append(branch(value))
-        except NotSteady as error:
-            raise NotSteady(f"at {value:.10g}: {error}", error.residual, entries=error.entries) from None
-    branch.family = min((point.family for point in points), default=0)
-    points = [linearise_at(branch._model(v)[0], p.steady, branch.family) for v, p in zip(values, points, strict=True)]
-    chains = [chain_of(point.core) for point in points]
+    found, missing = follow(branch, values, name, own)
+    given = [value for value in values if value in found]
+    branch.family = min((point.family for point in found.values()), default=0)
+    for value, point in found.items():
+        found[value] = linearise_at(branch.model(value)[0], point.steady, branch.family)
+    chains = [chain_of(found[value].core) for value in given]
     static = _Static(branch, [min(counts) for counts in zip(*chains, strict=False)])
     near = _NEAR * min((abs(b - a) for a, b in pairwise(values)), default=0.0)
     least = _ROUNDED * max(map(abs, values), default=0.0)
-    found = crossings(static, values, points, near)
-    unlocated = _unlocated(static, values, points, found)
-    passed = tuple(replace(one, value=0.0) if abs(one.value) <= least else one for one in _passed(found, near))
-    return Sweep(tuple(values), tuple(points), passed, unlocated)
+    crossed, unlocated = list[Crossing](), list[tuple[float, float]]()
+    for run in runs_of(values, found):
+        points = [found[value] for value in run]
+        between = crossings(static, run, points, near)
+        unlocated += _unlocated(static, run, points, between)
+        crossed += _passed(between, near)
+    passed = tuple(replace(one, value=0.0) if abs(one.value) <= least else one for one in crossed)
+    ends = [
+        find_end(branch, *((a, b) if a in found else (b, a)))
+        for a, b in pairwise(values)
+        if (a in found) != (b in found)
+    ]
+    return Sweep(
+        tuple(given),
+        tuple(found[value] for value in given),
+        passed,
+        tuple(unlocated),
+        missing=missing,
+        ends=tuple(ends),
+    )
 
 
 def _unlocated(

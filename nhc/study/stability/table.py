@@ -148,6 +148,11 @@ def _sweep(found: Sweep, unit: str) -> list[Row]:
     ]
     low, high = found.values[0], found.values[-1]
     rows = rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
+    rows += [
+        Row(f"between {inside:.6g} and {outside:.6g}", "the steady motions end", f"none is found at {outside:.6g}")
+        for inside, outside in found.ends
+    ]
+    rows += [Row(f"at {value:.6g}", "no steady motion found", why) for value, why in found.missing]
     left = found.leaves()
     return [*rows, Row(f"first at {left[0]:.6g}", "not the motion asked about", left[1])] if left else rows
 

@@ -106,6 +106,8 @@ def _motion_tree(found: Motion) -> dict[str, Any]:
             for c in found.swept.crossings
         ]
         data["unlocated"] = [{"low": low, "high": high} for low, high in found.swept.unlocated]
+        data["missing"] = [{"value": value, "reason": why} for value, why in found.swept.missing]
+        data["ends"] = [{"with": inside, "without": outside} for inside, outside in found.swept.ends]
         left = found.swept.leaves()
         data["left"] = {"value": left[0], "what": left[1]} if left else None
     return data
