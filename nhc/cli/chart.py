@@ -159,7 +159,8 @@ def command(
         for source in sources:
             _deliver(pipeline.chart(source, grid, Parts().show), target, as_json, force)
     except NoReference as error:
-        raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
+        advice = [f"`nhc run -f {error.formulation} --stay` says where they fail; other equations may not"]
+        raise Failure(str(error), advice, exit=Exit.NUMERICAL) from error
     return Exit.DONE
 
 

@@ -18,7 +18,7 @@ from nhc.report.marks import (
 from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
 from nhc.report.ticks import log_scale
 from nhc.study.chart.case import RESOLVED, Result, Study
-from nhc.study.chart.words import LANGUAGE_NAMES, duration
+from nhc.study.chart.words import LANGUAGE_NAMES, describe_question, duration
 
 WIDTH, LEFT = 1060, 74
 MAIN_WIDTH, MAIN_HEIGHT = 800, 500
@@ -30,7 +30,7 @@ BOLD = ' font-weight="bold"'
 def draw_study(study: Study) -> str:
     """The whole SVG document: the same text for the same study."""
     style = style_of(study.results)
-    legend, below = _draw_legend(study, style, 52)
+    legend, below = _draw_legend(study, style, 72)
     top = below + 30
     floor = RESOLVED * study.reference.error
     main = Panel(
@@ -54,7 +54,10 @@ def draw_study(study: Study) -> str:
     parts += foot
     total = below + 20
     title = f"{study.system}, scene {study.scene}: work against precision"
-    return draw_document(WIDTH, total, [draw_title(WIDTH / 2, 26, title, WIDTH - 20), *parts], title)
+    question = describe_question(study)
+    size = f' font-size="{fit_size(len(question), WIDTH - 20, 12.0):.1f}"'
+    head = [draw_title(WIDTH / 2, 26, title, WIDTH - 20), draw_text(WIDTH / 2, 46, question, "middle", size)]
+    return draw_document(WIDTH, total, [*head, *parts], title)
 
 
 def _small_panels(top: float, floor: float, energy_floor: float) -> tuple[Panel, ...]:

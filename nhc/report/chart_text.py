@@ -8,7 +8,7 @@ from dataclasses import asdict
 
 from nhc.study.chart.advice import TARGETS, advise, fastest
 from nhc.study.chart.case import RESOLVED, Result, Study
-from nhc.study.chart.words import LANGUAGE_NAMES, duration, spell_power
+from nhc.study.chart.words import LANGUAGE_NAMES, describe_question, duration, spell_power
 from nhc.version import __version__
 
 SCHEMA = "nhc.chart/1"
@@ -59,7 +59,7 @@ def to_markdown(study: Study) -> str:
     advice = [f"- **{spell_power(a.target)}**: {a.text}" for a in advise(study)]
     parts = [
         f"# {study.system}, scene `{study.scene}`: work against precision",
-        f"Quantities: {', '.join(study.needs)}; t from {study.time[0]:g} to {study.time[1]:g}.",
+        f"Q{describe_question(study)[1:]}.",
         "## Which to take",
         "\n".join(advice),
         "## Time of one run to an error at the end",

@@ -93,6 +93,45 @@ def test_a_chart_of_a_changed_scene_is_that_of_a_spec_with_these_values() -> Non
     assert [r.error for r in made.results] == [r.error for r in wanted.results] and made.results
 
 
+def test_every_kind_of_chart_says_what_was_measured() -> None:
+    made = sleigh()
+    for kind in (".svg", ".html", ".md"):
+        assert f"uantities: {', '.join(made.needs)}; t from 0 to {made.time[1]:g}" in make_file(made, kind)
+    assert "1 calls" not in "".join(make_file(made, kind) for kind in (".svg", ".md"))
+
+
+def test_nothing_is_recommended_where_no_run_errs() -> None:
+    """A particle that stays where it is."""
+    grid = replace(SMALL, methods=("dop853", "rk4"), tolerances=(1e-3, 1e-6), languages=("c",))
+    made = chart(Source("fall.yaml", STIFF.replace("RATE", "2").replace("initial: {x: 0.3}", "initial: {}")), grid)
+    resting = replace(made, results=tuple(replace(r, error=0.0) for r in made.results))
+    assert {a.text.split(":")[0] for a in advise(resting)} == {"nothing to choose by"}
+    assert all(a.best is None for a in advise(resting))
+    assert any(a.best is not None for a in advise(sleigh()))
+
+
+LOCKS = """
+nhc: 1
+system: locks
+coordinates: [x, y, th]
+parameters: {m: 1, J: 0.5}
+T: m/2*(x'^2 + y'^2) + J/2*th'^2
+constraints: [cos(th)*y' - sin(th)*x' = 0]
+scenes: {turns: {initial: {x': 1, th': 1}, time: [0, 4]}}
+"""
+
+
+def test_equations_that_fail_on_the_way_are_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """y' = tan(th) x' at a quarter turn: other equations of the same system pass it."""
+    path = tmp_path / "locks.yaml"
+    path.write_text(LOCKS, encoding="utf-8")
+    small = ["--formulations", "voronec", "--methods", "dop853", "--langs", "c", "--no-peers"]
+    assert main(["chart", str(path), *small, "-o", str(tmp_path / "locks.md")]) == 3
+    told = capsys.readouterr().err
+    assert "with the equations of voronec neither dop853 nor radau5 comes to the end" in told
+    assert "`nhc run -f voronec --stay` says where they fail" in told
+
+
 def test_a_chart_notes_a_negative_mass() -> None:
     grid = replace(SMALL, methods=("dop853",), tolerances=(1e-6,), languages=("python",))
     made = chart(Source("fall.yaml", STIFF.replace("RATE", "0.1")), replace(grid, changes=Changes(("m=-1",), "1")))

@@ -57,6 +57,8 @@ def _advise(study: Study, target: float) -> Advice:
     floor = study.reference.error
     own = [r for r in study.results if r.case.language in ("c", "python")]
     best = fastest(own, target, floor)
+    if all(r.error == 0.0 for r in own if not r.failed) and best is not None:
+        return Advice(target, None, "nothing to choose by: every run gives what is needed without any error")
     if best is None:
         return Advice(
             target, None, f"no case of this chart reaches {spell_power(target)}{_why_none(study, own, target)}"

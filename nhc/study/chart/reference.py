@@ -23,7 +23,11 @@ Solve = Callable[[str, float, float, int], list[list[float]]]  # method, toleran
 
 
 class NoReference(Exception):
-    """No method comes to the end of the scene."""
+    """No method comes to the end of the scene in this formulation."""
+
+    def __init__(self, message: str, formulation: str) -> None:
+        super().__init__(message)
+        self.formulation = formulation
 
 
 @record
@@ -52,7 +56,11 @@ def make_reference(job: Job, times: Sequence[float], model: LongModel | None) ->
         rows = solve(method, looser * tolerance, 0.0, most)
         if rows:
             return _confirm(job, solve, rows, (method, looser * tolerance), arithmetic, most)
-    raise NoReference("neither dop853 nor radau5 comes to the end of the scene at a tight tolerance")
+    name = job.formulation.name
+    raise NoReference(
+        f"with the equations of {name} neither dop853 nor radau5 comes to the end of the scene at a tight tolerance",
+        name,
+    )
 
 
 def _in_long(model: LongModel, times: Sequence[float]) -> Solve:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from nhc.diagnostics import Source
+from nhc.diagnostics import Source, several
 from nhc.language import decode
 from nhc.language.spec import Scene
 from nhc.mechanics.resolving.resolve import resolve
@@ -165,7 +165,9 @@ def cost_of(rig: Rig, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
                     interpreted.rhs(t, y, job.p)
 
         in_python = time_repeats(repeat, 0.02)[0] / len(times)
-    calls = f"{function.adds} +-, {function.multiplications} *, {function.divisions} /, {function.calls} calls"
+    calls = (
+        f"{function.adds} +-, {function.multiplications} *, {function.divisions} /, {several(function.calls, 'call')}"
+    )
     form = job.formulation
     left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))
     return Cost(rig.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)

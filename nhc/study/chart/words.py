@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from nhc.study.chart.case import Case
+from nhc.study.chart.case import Case, Study
 
 LANGUAGE_NAMES = {
     "c": "C",
@@ -14,6 +14,11 @@ LANGUAGE_NAMES = {
     "heyoka": "heyoka",
     "diffrax": "diffrax",
 }
+
+
+def describe_question(study: Study) -> str:
+    """What is needed, and over which time."""
+    return f"quantities: {', '.join(study.needs)}; t from {study.time[0]:g} to {study.time[1]:g}"
 
 
 def setting(case: Case) -> str:
