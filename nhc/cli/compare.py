@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.cli.options import json_option, spec_argument, verb
+from nhc.cli.progress import Parts, show_line
 from nhc.cli.reading import MIB, read_bounded
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, put_json, put_text, say
@@ -73,7 +74,10 @@ def command(
 
     if old is not None:
         return _check(pipeline.check_certificate(source, _read(old)), old)
-    made, emitted = pipeline.compare(source)
+    try:
+        made, emitted = pipeline.compare(source, Parts().show)
+    finally:
+        show_line("")
     if as_json:
         data = {**to_data(made, source.text), "emitted": emitted}
         put_json("nhc.compare/1", {key: data[key] for key in data if key not in ("schema", "nhc")})

@@ -6,7 +6,7 @@ what came out is held against the equations.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from nhc.algebra.dense import Singular, solve_columns_modulo
 from nhc.algebra.exact.draw import MOST_DRAWS, draw_points
@@ -31,11 +31,26 @@ Kept = dict[str, bool | None]
 40 digits at real places, by an identity that the prime field does not have."""
 
 
-def certify_programs(system: System) -> tuple[Certificate, dict[str, Kept]]:
-    """The certificate of a system, and by formulation whether its functions keep what they promise; derived once for both."""
-    derived = derive_all(system)
-    kept = {formulation.name: validate(equations, formulation) for formulation, equations in derived}
-    return certify(system, derived=derived), kept
+Show = Callable[[float, str], None]
+
+
+def _silent(part: float, what: str) -> None:
+    """Nobody is told."""
+
+
+def certify_programs(system: System, show: Show = _silent) -> tuple[Certificate, dict[str, Kept]]:
+    """The certificate of a system, and by formulation whether its functions keep what they promise; derived once for both.
+
+    ``show`` is told how much is done, and what is next.
+    """
+    derived, kept = derive_all(system), dict[str, Kept]()
+    for k, (formulation, equations) in enumerate(derived):
+        show(k / (len(derived) + 1), f"emitted code of {formulation.name}")
+        kept[formulation.name] = validate(equations, formulation)
+    show(len(derived) / (len(derived) + 1), "formulations against one another")
+    made = certify(system, derived=derived)
+    show(1.0, "")
+    return made, kept
 
 
 def validate(equations: Equations, formulation: Formulation) -> Kept:
