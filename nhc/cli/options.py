@@ -43,15 +43,13 @@ def check_steps(step: float, start: float, end: float) -> None:
 
 
 SweepRange = tuple[str, float, float, int]
+_USUAL = 21  # values of a sweep
 """Name, least value, largest value, number of values."""
 
 
-def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
-    """``--sweep speed=1:8:29``; with a ``usual`` count this may be left out."""
-    if usual is None:
-        shape, advice = "NAME=LO:HI:COUNT", "it takes `NAME=LO:HI:COUNT`, such as `speed=1:8:29`"
-    else:
-        shape, advice = "NAME=LO:HI[:COUNT]", "it takes `NAME=LO:HI` or `NAME=LO:HI:COUNT`, such as `speed=0:10`"
+def sweep_option() -> Callable[[Command], Command]:
+    """``--sweep speed=1:8:29``; the count may be left out."""
+    advice = "it takes `NAME=LO:HI` or `NAME=LO:HI:COUNT`, such as `speed=0:10`"
 
     def read(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
         if value is None:
@@ -61,7 +59,7 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
         name, _, span = value.partition("=")
         try:
             low, high, *rest = map(str.strip, span.split(":"))
-            (count,) = map(int, rest) if rest or usual is None else (usual,)
+            (count,) = [int(text) for text in rest] or [_USUAL]
             found = (fold_typed(name), float(low), float(high), count)
         except ValueError:
             raise click.BadParameter(advice) from None
@@ -69,11 +67,11 @@ def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
             raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
         return found
 
-    usual_text = f"; COUNT is {usual} if left out" if usual else ""
     about = (
-        f"Follow the eigenvalues along NAME (a parameter or quantity), and find where they cross the axis{usual_text}."
+        "Follow the eigenvalues along NAME (a parameter or quantity), and find where they cross the axis; "
+        f"COUNT is {_USUAL} if left out."
     )
-    return click.option("--sweep", metavar=shape, callback=read, help=about)
+    return click.option("--sweep", metavar="NAME=LO:HI[:COUNT]", callback=read, help=about)
 
 
 class Verb(click.Command):

@@ -44,7 +44,7 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
 )
 @scene_set_option
 @hold_option
-@sweep_option(usual=21)
+@sweep_option()
 @click.option(
     "--long",
     "lengths",

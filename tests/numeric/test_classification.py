@@ -358,6 +358,7 @@ def test_rank_is_lost_where_a_factor_of_all_minors_vanishes() -> None:
 
 
 CAR = ("x, y, th, de", "rear: sin(th)*x' = cos(th)*y'", "front: sin(th+de)*x' - cos(th+de)*y' = cos(de)*th'")
+SKATE_ON_SPHERE = "-sin(ps)*th' + cos(ps)*sin(th)*ph' = 0"
 TRIKKE = (
     "x, y, th, al, ph",
     "sin(th+al)*x' = cos(th+al)*y'",
@@ -379,6 +380,24 @@ def test_of_many_minors_a_few_are_written_out() -> None:
     assert full is False
     assert text.count("sin(a1 - a") == 5 and "-sin" not in text
     assert text.endswith(" = 0, where 9 other minors vanish, too: the motion is undefined there")
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "row", "said"),
+    [
+        ("{th: {range: [0.3, 2.8]}, ph: {}, ps: {}}", SKATE_ON_SPHERE, "full everywhere in the declared ranges"),
+        ("{th: {}, ph: {}, ps: {}}", SKATE_ON_SPHERE, "lost where"),
+        ("{th: {range: [0, pi]}, ph: {}, ps: {}}", "sin(th)*ph' - cos(th)*ps' = 0", "full everywhere"),
+    ],
+)
+def test_a_rank_that_is_full_only_within_declared_ranges_says_so(coordinates: str, row: str, said: str) -> None:
+    """At the poles of a sphere a skate on it is not held; in the plane there are none, whatever the range."""
+    system = build(
+        f"nhc: 1\nsystem: test\ncoordinates: {coordinates}\nT: (th'^2 + ph'^2 + ps'^2)/2\nconstraints:\n  - {row}\n"
+    )
+    text = describe(system, formulate(system), Bag(system.spec.origin)).marked["rank"]
+    assert text.startswith(f"rank of the constraints: {said}")
+    assert ("declared" in text) == ("declared" in said)
 
 
 def test_minors_that_never_vanish_at_once_lose_no_rank() -> None:

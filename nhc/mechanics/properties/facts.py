@@ -20,7 +20,7 @@ from nhc.mechanics.properties.integrability import Integrability, classify, clas
 from nhc.mechanics.properties.integrals import PositionIntegral, find_position_integrals, quote_integral, tell_integral
 from nhc.mechanics.properties.named import LONG, is_cut, product_text
 from nhc.mechanics.properties.rough import list_torn, warn_rough
-from nhc.mechanics.properties.singular import find_rank_loss
+from nhc.mechanics.properties.singular import find_rank_loss, needs_ranges
 from nhc.mechanics.properties.still import depends_on_time, describe_affine, describe_kinetic
 from nhc.mechanics.properties.zeros import never_vanishes, where_all_zero, where_zero
 from nhc.mechanics.regular.determined import warn_of_bare
@@ -259,7 +259,7 @@ def _rank_loss(system: System, facts: Facts) -> None:
     if found.regular is None:
         text = "too large to decide where it is lost"
     elif found.regular:
-        text, full = "full everywhere", True
+        text, full = f"full everywhere{' in the declared ranges' if needs_ranges(system) else ''}", True
     elif find_common_zero(system.graph, found.minors, (*system.q, system.t), trial_points(system)) is not None:
         text, full = f"lost where {where}: the motion is undefined there", False
     else:

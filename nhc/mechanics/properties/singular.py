@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import reduce
 from itertools import combinations
 from operator import and_, or_
@@ -49,6 +50,15 @@ def find_rank_loss(system: System) -> RankLoss:
         found = _find_rank_loss(system)
         known.append((system, found))
     return found
+
+
+def needs_ranges(system: System) -> bool:
+    """Whether the rank is known to be full for the coordinates' declared ranges only."""
+    spec = system.spec
+    if all(coordinate.range is None for coordinate in spec.coordinates):
+        return False
+    bare = replace(spec, coordinates=tuple(replace(coordinate, range=None) for coordinate in spec.coordinates))
+    return not find_rank_loss(replace(system, spec=bare)).regular
 
 
 def _find_rank_loss(system: System) -> RankLoss:
