@@ -192,15 +192,12 @@ def check(source: Source, *, explain: bool = True) -> Report:
 def compare(source: Source, show: Show | None = None) -> tuple[Certificate, dict[str, Kept]]:
     """Whether all formulations agree on a spec, and whether the functions of their programs keep what they promise: exactly.
 
-    ``show`` is told how much is done, and what is next.
-
     Raises:
         SpecError: the spec has errors.
     """
     from nhc.program.validation.validate import certify_programs
 
-    system = resolve(decode(source))
-    return certify_programs(system) if show is None else certify_programs(system, show)
+    return certify_programs(resolve(decode(source)), show)
 
 
 def check_certificate(source: Source, text: str) -> list[str]:

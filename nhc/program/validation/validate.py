@@ -34,23 +34,19 @@ Kept = dict[str, bool | None]
 Show = Callable[[float, str], None]
 
 
-def _silent(part: float, what: str) -> None:
-    """Nobody is told."""
-
-
-def certify_programs(system: System, show: Show = _silent) -> tuple[Certificate, dict[str, Kept]]:
+def certify_programs(system: System, show: Show | None = None) -> tuple[Certificate, dict[str, Kept]]:
     """The certificate of a system, and by formulation whether its functions keep what they promise; derived once for both.
 
     ``show`` is told how much is done, and what is next.
     """
     derived, kept = derive_all(system), dict[str, Kept]()
     for k, (formulation, equations) in enumerate(derived):
-        show(k / (len(derived) + 1), f"emitted code of {formulation.name}")
+        if show is not None:
+            show(k / (len(derived) + 1), f"emitted code of {formulation.name}")
         kept[formulation.name] = validate(equations, formulation)
-    show(len(derived) / (len(derived) + 1), "formulations against one another")
-    made = certify(system, derived=derived)
-    show(1.0, "")
-    return made, kept
+    if show is not None:
+        show(len(derived) / (len(derived) + 1), "formulations against one another")
+    return certify(system, derived=derived), kept
 
 
 def validate(equations: Equations, formulation: Formulation) -> Kept:
