@@ -28,6 +28,8 @@ def divide_sums(graph: Graph, p: Polynomial, expand: Expand) -> Polynomial:
         return p
     made = _square_roots(graph, p)
     for r in sorted({f for m in made for f, _ in m if _is_reciprocal(graph, f)}):
+        if not any(_exponent(m, r) for m in made):
+            continue  # gone with another one
         try:
             divisor = expand(graph.a[r])
         except TooLarge:
@@ -62,7 +64,7 @@ def _divided(p: Polynomial, r: Node, divisor: Polynomial) -> Iterator[Polynomial
     lowest = min(_exponent(m, r) for m in p)
     for lead in divisor:
         if lead and all(m == lead or _quotient(m, lead) is None for m in divisor):
-            for power in {lowest, 0}:
+            for power in dict.fromkeys((lowest, 0)):
                 made = _divide(_times_power(p, r, -power), r, divisor, lead)
                 if made is not None:
                     yield _times_power(made, r, power)

@@ -43,8 +43,8 @@ def check_steps(step: float, start: float, end: float) -> None:
 
 
 SweepRange = tuple[str, float, float, int]
-_USUAL = 21  # values of a sweep
 """Name, least value, largest value, number of values."""
+_USUAL = 21  # values of a sweep
 
 
 def sweep_option() -> Callable[[Command], Command]:

@@ -87,6 +87,22 @@ def test_the_solver_solves_for_any_right_side(name: str) -> None:
     assert are_equal(g, [g.dot(row, solved) for row in equations.mass], right)
 
 
+GEARS = (
+    "nhc: 1\nsystem: gears\ncoordinates: [a, b, c]\nparameters: {J1: 1, J2: 2, J3: 3, J: 0.5, k: 2}\n"
+    "T: (J1*a'^2 + J2*b'^2 + J3*c'^2 + J*(a' + b' + c')^2)/2\nV: k*(a^2 + b^4 + a*c^3)\n"
+)
+
+
+def test_a_gear_without_inertia_of_its_own_turns_with_the_others() -> None:
+    """J J2 J3 is the determinant then: nothing may be divided by the first gear's own inertia."""
+    own = module_of(Source("gears.yaml", GEARS), only=("rhs",))
+    a, b, c, p = 0.3, 0.5, 0.7, [0.0, 2.0, 3.0, 0.5, 2.0]
+    rates = own.rhs(0.0, [a, b, c, 0.1, 0.2, 0.3], p)[3:]
+    torques = [-2 * (2 * a + c**3), -2 * 4 * b**3, -2 * 3 * a * c**2]
+    whole = 0.5 * sum(rates)
+    assert [own_inertia * rate + whole for own_inertia, rate in zip(p, rates, strict=False)] == pytest.approx(torques)
+
+
 @pytest.mark.parametrize("value", ["I: {I1: 0, I2: 0, I3: 0}", "J: {m: 0, I2: 0}"])
 def test_what_has_no_inertia_is_singular(value: str) -> None:
     """Of a ball without moments of inertia the spin is not determined, of one without mass a turn about one axis."""

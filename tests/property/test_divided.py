@@ -8,10 +8,11 @@ import pytest
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
+from nhc.algebra.divided import divide_sums
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.graph import Graph
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.polynomial import normalise, polynomial
 from nhc.algebra.rewriting.rules import WithoutRules
 from nhc.algebra.rewriting.shorten import shorten
 from nhc.algebra.show import to_text
@@ -80,6 +81,16 @@ def test_roots_of_a_divisor_keep_the_value(parts: list[Tree], divisor: Tree) -> 
     except ZeroDivisionError:
         assume(False)
     assert are_equal(g, [made], [node])
+
+
+def test_what_vanishes_by_one_divisor_is_not_divided_by_the_next() -> None:
+    """(x/(x + y) + y/(x + y) - 1)/(x + z), which the graph does not see to be zero when it is multiplied out."""
+    g = Graph()
+    x, y, z = (g.symbol(name) for name in "xyz")
+    first, second = g.inverse(g.add(x, y)), g.inverse(g.add(x, z))
+    p = {((x, 1), (first, 1), (second, 1)): 1, ((y, 1), (first, 1), (second, 1)): 1, ((second, 1),): -1}
+    tidy = {tuple(sorted(m)): c for m, c in p.items()}
+    assert divide_sums(g, tidy, lambda node: polynomial(g, node)) == {}
 
 
 def test_division_ends() -> None:

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from nhc.algebra.exact.modular import are_equal
 from nhc.algebra.expand import TooLarge
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.parts import divisors_in, take_out_common
+from nhc.algebra.parts import divisors_in, split_powers, take_out_common
 from nhc.algebra.polynomial import polynomial
 from nhc.algebra.rewriting.digits import keep_digits
 from nhc.algebra.rewriting.shorten import canonical_form, shorten
@@ -126,12 +126,14 @@ def _by_rank_one(system: System, mass: Matrix, rows: tuple[int, ...]) -> _Part |
     diagonal = list[Node]()
     for k in range(size):
         diagonal += shorten(g, [g.sub(m[k][k], squares[k])])
-        if g.depends(diagonal[k], ~g.mask(system.p)) or not _keeps_its_sign(g, diagonal[k]):
+        if g.depends(diagonal[k], ~g.mask(system.p)):
             return None
     direction = take_out_common(g, shorten(g, [squares[0], *m[0][1:]]))[1]
     (k,) = shorten(g, [g.div(m[0][1], g.mul(direction[0], direction[1]))])
     if divisors_in(g, [*direction, k]) - divisors_in(g, [x for row in m for x in row]):
         return None  # they might vanish where the matrix is regular
+    if not all(_vanishes_with(g, d, k) for d in diagonal):
+        return None
     made = [g.product([k, direction[i], direction[j]]) for i in range(size) for j in range(i)]
     if not are_equal(g, made, [m[i][j] for i in range(size) for j in range(i)]):
         return None
@@ -146,12 +148,17 @@ def _by_rank_one(system: System, mass: Matrix, rows: tuple[int, ...]) -> _Part |
     return _Part(rows, [*((d, d) for d in diagonal), (height, g.one)], solve)
 
 
-def _keeps_its_sign(g: Graph, node: Node) -> bool:
-    """Whether a sum of masses and moments of inertia has one sign before all of them: I + m a^2, which no values make zero."""
+def _vanishes_with(g: Graph, node: Node, k: Node) -> bool:
+    """Whether a sum of masses and moments of inertia is zero only where k is, and the matrix with it: I + m a^2 beside -m a^2.
+
+    Beside a diagonal that may have a zero the matrix may be regular, as where of three gears on one shaft one has no inertia.
+    """
     try:
-        return len({c > 0 for c in polynomial(g, node).values()}) == 1
+        terms = polynomial(g, node)
     except TooLarge:
         return False
+    factors = {base for base, n in split_powers(g, k)[1].items() if n > 0}
+    return len({c > 0 for c in terms.values()}) == 1 and any(factors.issuperset(f for f, _ in m) for m in terms)
 
 
 def _square(g: Graph, m: Matrix, k: int) -> Node:
