@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from nhc.diagnostics import SpecError, suggest
+from nhc.diagnostics import SpecError, several, suggest
 from nhc.language.expressions.names import fold_typed
 from nhc.language.expressions.syntax import Number
 from nhc.language.orientation import with_unit_quaternions
@@ -88,7 +88,9 @@ def _find_key(number: int, cell: str, known: dict[str, Key]) -> Key:
 
 def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[float | None, ...]:
     if len(line) != len(header):
-        raise RunError(f"row {number} has {len(line)} values, the header {len(header)} names", (_CELLS,))
+        raise RunError(
+            f"row {number} has {several(len(line), 'value')}, the header {several(len(header), 'name')}", (_CELLS,)
+        )
     values: list[float | None] = []
     for name, cell in zip(header, line, strict=True):
         try:

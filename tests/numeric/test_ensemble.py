@@ -134,7 +134,7 @@ def test_quaternions_of_a_table_have_any_length(tmp_path: Path, capsys: pytest.C
         ("theta,theta\n1,2\n", "names `theta` twice"),
         ("theta\n1\nx\n", "row 2: `x` for `theta` is not a finite number"),
         ("theta\n1\ninf\n", "row 2: `inf`"),
-        ("theta,w\n1,1\n1\n", "row 2 has 1 values, the header 2 names"),
+        ("theta,w\n1,1\n1\n", "row 2 has 1 value, the header 2 names"),
         ("theta,y'\n0,\n0,1\n", "row 2: the initial velocities of the scene `reference` violate the constraints"),
         ("theta\n", "no starts"),
         ("", "no starts"),
