@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Mapping
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, quote, several, suggest
@@ -34,7 +35,7 @@ from nhc.language.spec import FORMULATIONS, Constraint, Coordinate, Definition, 
 from nhc.language.units.beside import check_sound_units
 from nhc.language.yaml_tree.extend import merge_bases
 from nhc.language.yaml_tree.nodes import Items, Node, Table, Text
-from nhc.language.yaml_tree.reader import is_empty, read_nodes
+from nhc.language.yaml_tree.reader import is_empty, is_null, read_nodes
 from nhc.records import fresh, structure
 
 _KEYS = frozenset(key.name for key in SPEC_KEYS)
@@ -59,8 +60,8 @@ class _Draft:
 
 
 class _Decoder:
-    def __init__(self, source: Source, written: Table, bag: Bag, asked: str) -> None:
-        self.source, self.written = source, written
+    def __init__(self, source: Source, written: Table, bag: Bag, asked: str, left_out: Mapping[str, Span]) -> None:
+        self.source, self.written, self.left_out = source, written, left_out
         self.plain = without_bodies(written, bag, asked)
         self.root = self.plain.root
         self.bag = bag
@@ -73,7 +74,7 @@ class _Decoder:
         place = self.written.entries[0][0].span if self.written.entries else self.written.span
         present = {text.value for text, _ in self.written.entries}
         keys = [key.optional() if INSTEAD.get(key.name) in present else key for key in SPEC_KEYS]
-        meant = self.shapes.check_keys(self.written, keys, "the spec", place, meant_key)
+        meant = self.shapes.check_keys(self.written, keys, "the spec", place, meant_key, self.left_out)
         strange = any(text.value not in _KEYS and not isinstance(node, Text) for text, node in self.root.entries)
         unknown = strange or any(key in _DECLARING for key in meant)  # what it declares is not known
         self.scope.open = self.scope.open or unknown
@@ -333,4 +334,5 @@ def decode(source: Source, asked: str = "") -> Spec:
         place = Span(start, start + 1)
         bag.error("E0301", "a spec is a mapping of keys to values", place, help=("begin with `nhc: 1`",))
         raise SpecError(bag.diagnostics, source)
-    return _Decoder(source, merge_bases(source, root, bag), bag, asked).run()
+    left_out = {text.value: text.span for text, value in root.entries if is_null(value)}
+    return _Decoder(source, merge_bases(source, root, bag), bag, asked, left_out).run()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote
@@ -18,6 +18,7 @@ from nhc.language.yaml_tree.nodes import Items, Node, Table, Text, describe
 from nhc.language.yaml_tree.reader import is_empty
 
 Elsewhere = Callable[[str, Collection[str]], tuple[str, str]]
+_NOTHING: Mapping[str, Span] = {}
 _PLAIN = r"[0-9]{1,9}(?:\.[0-9]{1,9})?"  # a number of few digits
 _MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\W\d_][^()]*)")
 
@@ -91,11 +92,18 @@ class Shapes:
         return None
 
     def check_keys(
-        self, table: Table, keys: Sequence[Key], what: str, place: Span, elsewhere: Elsewhere = lambda *_: ("", "")
+        self,
+        table: Table,
+        keys: Sequence[Key],
+        what: str,
+        place: Span,
+        elsewhere: Elsewhere = lambda *_: ("", ""),
+        left_out: Mapping[str, Span] = _NOTHING,
     ) -> tuple[str, ...]:
         """Report unknown and missing keys of a mapping; return the known keys that unknown ones may have meant.
 
-        ``elsewhere`` knows what others call such keys (see :func:`nhc.language.advice.meant_key`).
+        ``left_out``: where a spec leaves out what its base has; ``elsewhere`` knows what others call such keys (see
+        :func:`nhc.language.advice.meant_key`).
         """
         known = [key.name for key in keys]
         present = {text.value for text, _ in table.entries}
@@ -111,8 +119,9 @@ class Shapes:
             self.bag.error("E0303", f"unknown key `{text.value}` in {what}", text.span, help=(help,))
         for key in keys:
             if key.required and key.name not in present and key.name not in meant:
-                about = f"add `{key.name}`: {key.about}"
-                self.bag.error("E0304", f"missing key `{key.name}` in {what}", place, help=(about,))
+                gone = left_out.get(key.name)
+                about = f"{'it is left out here; give it a value' if gone else f'add `{key.name}`'}: {key.about}"
+                self.bag.error("E0304", f"missing key `{key.name}` in {what}", gone or place, help=(about,))
         return tuple(meant)
 
     def refuse_unit(self, text: Text, known: Sequence[str] = (), *, declares: bool = False) -> bool:

@@ -101,6 +101,14 @@ def test_null_leaves_out_what_the_base_has(tmp_path: Path) -> None:
         assert not validator.is_valid(yaml.safe_load(text))
 
 
+def test_a_key_that_is_needed_is_missed_where_it_is_left_out(tmp_path: Path) -> None:
+    path = put(tmp_path, base=BASE, own="nhc: 1\nextends: base.yaml\nT: ~\n") / "own.yaml"
+    assert messages(path) == [("own.yaml:3:1", "missing key `T` in the spec")]
+    with pytest.raises(SpecError) as caught:
+        decode(read(path))
+    assert "it is left out here; give it a value: kinetic energy" in caught.value.diagnostics[0].help[0]
+
+
 def test_what_no_base_has_cannot_be_left_out(tmp_path: Path) -> None:
     middle = "nhc: 1\nextends: base.yaml\nV: null\n"
     own = "nhc: 1\nextends: middle.yaml\nV: null\nscenes: {go: {initial: {y: ~}}, new: {time: [0, 1], initial: {x: null}}}\n"
