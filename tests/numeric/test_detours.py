@@ -247,18 +247,35 @@ def test_under_constraints_a_detour_is_singular_only_where_the_state_is() -> Non
         "ps'*sin(th)*cos(ph) - th'*sin(ph)",
     ]
     assert [to_text(g, determinant) for determinant, _ in found.frame.guards] == ["sin(th)", "cos(b)"]
-    assert detour_of("disc_in_a_cylinder") is None
+
+
+def test_where_a_disc_is_as_bent_as_the_cylinder_both_ways_are_singular() -> None:
+    """R cos(ya)^2 = -Rc sin(th): there it rests on a line, and the matrix of the state is singular without any detour."""
+    found = detour_of("disc_in_a_cylinder")
+    assert found is not None
+    assert [to_text(found.graph, determinant) for determinant, _ in found.frame.guards] == ["R*cos(ya)^2 + Rc*sin(th)"]
+    plain = _module("disc_in_a_cylinder", ("detours",))
+    values = dict(zip(plain.PARAMETERS, plain.DEFAULTS, strict=True))
+    lean = -math.asin(values["R"] * math.cos(0.2) ** 2 / values["Rc"])
+    for beside in (0.0, 0.1):
+        y = [{"ya": 0.2, "th": lean + beside}.get(name, 0.3) for name in plain.STATE]
+        if beside:
+            assert all(math.isfinite(x) for x in plain.rhs(0.0, y))
+        else:
+            with pytest.raises(ArithmeticError, match="the mass matrix is singular"):
+                plain.rhs(0.0, y)
 
 
 def test_a_detour_under_constraints_is_shorter() -> None:
-    for name, most in (("gyrostat", 0.75), ("coin", 0.85)):
+    """Than the way without, which canonical forms have made shorter for the coin (71 operations before)."""
+    for name, least, most in (("gyrostat", 99, 0.75), ("coin", 56, 0.91)):
         lengths = []
         for rules in ((), ("detours",)):
             made = resolve(decode(spec(name)), WithoutRules(rules))
             formulation = formulate(made)
             (rhs,) = build_program(made, formulation, equations_of(made, formulation), only=("rhs",)).functions
             lengths.append(rhs.adds + rhs.multiplications + rhs.divisions)
-        assert lengths[0] < most * lengths[1]
+        assert lengths[0] <= least and lengths[0] < most * lengths[1]
 
 
 def test_the_lock_of_a_constrained_body_is_refused_where_it_is() -> None:

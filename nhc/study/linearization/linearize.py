@@ -8,7 +8,7 @@ computed.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -26,7 +26,6 @@ from nhc.study.linearization.units import Matrix
 
 _NEARBY = 1e-2
 _MOVED = 0.3  # of the way to a steady motion nearby: less is the search coming back
-_SAME = 0.02  # of a way: no more of it leads elsewhere
 _BETWEEN, _ASTRAY = 0.37, 0.1  # a family has steady motions on the way there, too
 _EPSILON = float(np.finfo(float).eps)
 _FLOOR = 1e-5  # a matrix of rounding has rank 0
@@ -215,33 +214,22 @@ def _family(model: SteadyModel, steady: Steady, made: _Local, null: Matrix) -> i
         return found, np.asarray(null @ (np.array(made.model.inside(found.y)) - y)[rest] / scale)
 
     moves = np.zeros((0, zeros))
-    for direction, general in _directions(zeros):
-        back = 0
+    for direction in _directions(zeros):
         for side in (1.0, -1.0):
             try:
                 found, moved = beside(side * direction)
                 size = float(np.linalg.norm(moved))
-                back += size < _SAME
                 if size < _MOVED or np.linalg.norm(beside(_BETWEEN * moved)[1] - _BETWEEN * moved) > _ASTRAY * size:
                     continue
                 near = _about(model, find_steady(replace(away, in_doubles=False), found.y))
             except ArithmeticError:
                 continue
             smallest = min(smallest, len(near.parted()[0]))
-            back = 2 if float(np.linalg.norm(_outside(moved, moves))) < _SAME * size else 0
             moves = np.vstack([moves, moved])
             break
-        # a general direction has a part along whatever family there is: what leads nowhere else says that this is all
-        if np.linalg.matrix_rank(moves, tol=_MOVED) == zeros or (general and back == 2):
+        if np.linalg.matrix_rank(moves, tol=_MOVED) == zeros:
             break
     return min(smallest, int(np.linalg.matrix_rank(moves, tol=_MOVED))) if zeros else 0
-
-
-def _outside(moved: Matrix, moves: Matrix) -> Matrix:
-    """The part of a vector that is none of the rows before."""
-    if not len(moves):
-        return moved
-    return np.asarray(moved - moves.T @ np.linalg.lstsq(moves.T, moved, rcond=None)[0])
 
 
 def _rests_anywhere(model: SteadyModel, steady: Steady, null: Matrix) -> bool:
@@ -258,15 +246,11 @@ def _rests_anywhere(model: SteadyModel, steady: Steady, null: Matrix) -> bool:
         return False
 
 
-def _directions(count: int) -> Iterator[tuple[Matrix, bool]]:
-    """Unit vectors, and whether they are general: more of these than the space has dimensions, then one along each."""
+def _directions(count: int) -> Matrix:
+    """Unit vectors that span the space, the first two of no special direction."""
     places = np.arange(1.0, count + 1)
-    if count > 1:
-        for k in range(count + 1):
-            found = np.cos(k * places + k * k) if k else np.sqrt(places)
-            yield found / np.linalg.norm(found), True
-    for row in np.eye(count):
-        yield row, False
+    found = np.vstack([np.sqrt(places), np.cos(places), np.eye(count)]) if count > 1 else np.eye(count)
+    return np.asarray(found / np.linalg.norm(found, axis=1)[:, None])
 
 
 @record
