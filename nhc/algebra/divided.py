@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, POW, Graph, Node
-from nhc.algebra.terms import add_term
+from nhc.algebra.terms import add_term, merge
 
 _MOST = 8
 """Terms of a sum by which is divided."""
@@ -50,7 +50,7 @@ def _square_roots(graph: Graph, p: Polynomial) -> Polynomial:
         for f, e in m:
             if f in roots:
                 whole = int(e / 2)
-                m = _times(m, ((f, -2 * whole), (graph.inverse(graph.a[f]), -whole)))
+                m = merge(m, ((f, -2 * whole), (graph.inverse(graph.a[f]), -whole)))
         add_term(made, m, c)
     return made
 
@@ -82,8 +82,8 @@ def _divide(p: Polynomial, r: Node, divisor: Polynomial, lead: Monomial) -> Poly
         steps += 1
         if steps > _STEPS:
             return None
-        new = [(_times(quotient, ((r, -1),)), Fraction(c) / divisor[lead])]
-        new += [(_times(quotient, other), c * k) for other, k in share.items()]
+        new = [(merge(quotient, ((r, -1),)), Fraction(c) / divisor[lead])]
+        new += [(merge(quotient, other), c * k) for other, k in share.items()]
         for other, k in new:
             add_term(made, other, k.numerator if k.denominator == 1 else k)
             if _reduces(other, r, lead):
@@ -100,7 +100,7 @@ def _exponent(m: Monomial, factor: Node) -> int:
 
 
 def _times_power(p: Polynomial, r: Node, power: int) -> Polynomial:
-    return {_times(m, ((r, power),)): c for m, c in p.items()} if power else p
+    return {merge(m, ((r, power),)): c for m, c in p.items()} if power else p
 
 
 def _quotient(m: Monomial, by: Monomial) -> Monomial | None:
@@ -110,11 +110,4 @@ def _quotient(m: Monomial, by: Monomial) -> Monomial | None:
         own = exponents.get(f, 0)
         if not (0 < e <= own or own <= e < 0):
             return None
-    return _times(m, tuple((f, -e) for f, e in by))
-
-
-def _times(m: Monomial, n: Monomial) -> Monomial:
-    exponents = dict(m)
-    for f, e in n:
-        exponents[f] = exponents.get(f, 0) + e
-    return tuple(sorted((f, e) for f, e in exponents.items() if e))
+    return merge(m, tuple((f, -e) for f, e in by))

@@ -15,7 +15,7 @@ from math import gcd, lcm
 from nhc.algebra.divided import divide_sums
 from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge, is_length
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
-from nhc.algebra.terms import add_term
+from nhc.algebra.terms import add_term, merge
 from nhc.algebra.walks import count, reachable
 
 ONE: Monomial = ()
@@ -32,21 +32,6 @@ and neither was the shorter one."""
 def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) -> Polynomial:
     """The node as a canonical polynomial; with ``circle``, cos^2 is written 1 - sin^2."""
     return Expander(graph, limit, circle).expand([node])[0]
-
-
-def _merge(m1: Monomial, m2: Monomial) -> Monomial:
-    if not m1:
-        return m2
-    if not m2:
-        return m1
-    exponents = dict(m1)
-    for factor, e in m2:
-        e += exponents.get(factor, 0)
-        if e:
-            exponents[factor] = e
-        else:
-            exponents.pop(factor, None)
-    return tuple(sorted(exponents.items()))
 
 
 # --- back to the graph, factored --------------------------------------------------------------------------
@@ -80,7 +65,7 @@ def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
                 continue
             rest = tuple((f, k - 2 if f == sine else k) for f, k in monomial if f != sine or k > 2)
             add_term(result, rest, c)
-            add_term(result, _merge(rest, ((cosine, 2),)), -c)
+            add_term(result, merge(rest, ((cosine, 2),)), -c)
         if len(result) < len(p):
             return result
     return None

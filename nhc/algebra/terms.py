@@ -25,6 +25,22 @@ def add_term(p: Polynomial, monomial: Monomial, c: Coefficient) -> None:
         p.pop(monomial, None)
 
 
+def merge(m1: Monomial, m2: Monomial) -> Monomial:
+    """The product of two monomials."""
+    if not m1:
+        return m2
+    if not m2:
+        return m1
+    exponents = dict(m1)
+    for factor, e in m2:
+        e += exponents.get(factor, 0)
+        if e:
+            exponents[factor] = e
+        else:
+            exponents.pop(factor, None)
+    return tuple(sorted(exponents.items()))
+
+
 def divide(p: Polynomial, factor: Fraction, by: Monomial) -> Polynomial | None:
     """By a factor and a monomial that stands in every term."""
     made: Polynomial = {}

@@ -59,7 +59,7 @@ def to_markdown(study: Study) -> str:
     advice = [f"- **{spell_power(a.target)}**: {a.text}" for a in advise(study)]
     parts = [
         f"# {study.system}, scene `{study.scene}`: work against precision",
-        f"Q{describe_question(study)[1:]}.",
+        f"{describe_question(study)}.",
         "## Which to take",
         "\n".join(advice),
         "## Time of one run to an error at the end",

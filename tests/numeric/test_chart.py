@@ -96,7 +96,7 @@ def test_a_chart_of_a_changed_scene_is_that_of_a_spec_with_these_values() -> Non
 def test_every_kind_of_chart_says_what_was_measured() -> None:
     made = sleigh()
     for kind in (".svg", ".html", ".md"):
-        assert f"uantities: {', '.join(made.needs)}; t from 0 to {made.time[1]:g}" in make_file(made, kind)
+        assert f"Quantities: {', '.join(made.needs)}; t from 0 to {made.time[1]:g}" in make_file(made, kind)
     assert "1 calls" not in "".join(make_file(made, kind) for kind in (".svg", ".md"))
 
 

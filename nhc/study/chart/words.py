@@ -18,7 +18,7 @@ LANGUAGE_NAMES = {
 
 def describe_question(study: Study) -> str:
     """What is needed, and over which time."""
-    return f"quantities: {', '.join(study.needs)}; t from {study.time[0]:g} to {study.time[1]:g}"
+    return f"Quantities: {', '.join(study.needs)}; t from {study.time[0]:g} to {study.time[1]:g}"
 
 
 def setting(case: Case) -> str:
