@@ -273,10 +273,12 @@ class Leaps:
     """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments.
 
     ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much always; no part: a corner.
+    ``held``, of each: what it means that the motion cannot leave its zero; empty where it always can.
     """
 
     function: Function
     parts: tuple[tuple[float, float], ...]
+    held: tuple[str, ...]
 
     @property
     def lands(self) -> bool:

@@ -16,6 +16,7 @@ from nhc.simulate.task import (
     CROSSED,
     DONE,
     EVENT,
+    HELD,
     NO_SOLUTION,
     SINGULAR,
     STALLED,
@@ -50,6 +51,7 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         STALLED: "the steps become so short that the end is out of reach: the motion comes close to a singularity, or slides along "
         "a jump of the forces, as friction by `sign(v)` makes it do where it sticks (`tanh(v/eps)` does not), or the scene is very "
         "long beside its fastest motion",
+        HELD: _why_held(job, outcome),
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     return "failed", reasons.get(outcome.kind, "it fails")
@@ -97,6 +99,11 @@ def is_for_frame(job: Job, outcome: Outcome) -> bool:
         framed = outcome.kind == SINGULAR and outcome.status == SINGULAR_FRAME
     rank = rank_left(job, outcome) if framed else None
     return rank is not None and rank >= LOST_RANK
+
+
+def _why_held(job: Job, outcome: Outcome) -> str:
+    leaps = job.program.driving.leaps
+    return leaps.held[outcome.status] if outcome.kind == HELD and leaps is not None else ""
 
 
 def _why_singular(job: Job, outcome: Outcome) -> str:

@@ -9,7 +9,7 @@ from nhc.program.ir import Stop
 from nhc.program.runs.limits import MOST_STEPS
 from nhc.records import record
 
-DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)
+DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED, HELD = range(10)
 
 
 @record
@@ -33,7 +33,8 @@ class Task:
 
 @dataclass(slots=True)
 class Outcome:
-    """``kind`` is one of the constants above, ``status`` the model's code (SINGULAR) or the watched value's index.
+    """``kind`` is one of the constants above, ``status`` the model's code (SINGULAR), the watched value's index, or the argument's
+    at whose jump the motion is HELD (:class:`nhc.program.ir.Leaps`).
 
     ``states`` are the rows that were reached; ``t, y`` is where it ended, ``h`` the last step's length; ``sizes`` are the largest
     magnitudes of the entries so far, of methods that look at them; ``ends`` are the ends of its steps, where the task wants them.

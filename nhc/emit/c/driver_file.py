@@ -35,6 +35,7 @@ def print_driver(program: Program, context: dict[str, object]) -> File:
         ),
         "collocations": False,
         "parts": driving.leaps.parts if driving.leaps else (),
+        "held": tuple(print_string(print_comment(text)) for text in driving.leaps.held) if driving.leaps else (),
         "lands": driving.leaps is not None and driving.leaps.lands,
         "beats": beats.output.size if beats and beats.output else 0,
         "steady": driving.beats is not None and driving.beats.steady,

@@ -16,6 +16,7 @@ from fractions import Fraction
 from nhc.algebra.bounds.interval import Interval, bounds, cannot_vanish
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.show import to_text
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.rotations.turning import moving
@@ -26,6 +27,7 @@ from nhc.program.runs.clock import CORNERS, HIGH, STEPS, list_reached
 _GROWING = frozenset({"exp", "cosh", "sinh"})
 _STEEP = _GROWING | STEPS  # beyond their arguments' zeros they are known: 0, 1 or negligible
 _RELATIVE = frozenset({"sqrt", "powf", "log", POW})
+_WIDE = 60  # characters of an argument that are shown
 _LARGE = 1000  # operations beyond which an argument is not followed
 _MILD = 100.0  # how many times its least value an argument may be that has no narrow place
 _TURN = 0.0, 1.0  # of the half turn at which an angle of two lengths jumps, on one side of its argument's zero
@@ -52,7 +54,7 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
     system, g = planner.system, planner.graph
     moved = (system.t, *system.q, *system.v)
     held = {g.sum([g.power(e, 2) for e in rotation.e]) for rotation in system.rotations}  # to 1, after each step
-    wanted, ranges = dict[tuple[Node, tuple[float, float]], None](), {**intervals(system), **(known or {})}
+    wanted, ranges = dict[tuple[Node, tuple[float, float]], str](), {**intervals(system), **(known or {})}
     values = {symbol: ranges[symbol] for symbol in system.p if symbol in ranges}
     for node in list_reached(system, moved):
         op = g.op[node]
@@ -60,26 +62,37 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
             continue
         part, high = _PARTS.get(op), _as_exponential(g, node, values)
         if high is not None:
-            wanted[high, _PARTS["exp"]] = None
+            wanted[high, _PARTS["exp"]] = ""
         if part is None or (op == POW and g.b[node] > 0) or (op in _RELATIVE and not _is_plain(g, g.a[node], moved)):
             continue
         argument = g.sub(g.a[node], g.b[node]) if op in ("min", "max") else g.a[node]
         if (g.neg(argument), part) not in wanted:
-            wanted[argument, part] = None
+            wanted[argument, part] = _tell_held(g, argument, op) if part == CORNER else ""
     if not wanted:
         return None
     on = moving(system, planner.full_equations.motion.velocities)
     nodes = substitute(g, substitute(g, [argument for argument, _ in wanted], on), planner.put_in)
     kept = ~g.mask((*planner.state_loads,))
-    found = dict[tuple[Node, tuple[float, float]], None]()
-    for node, (_, part) in zip(nodes, wanted, strict=True):
+    found = dict[tuple[Node, tuple[float, float]], str]()
+    for node, ((_, part), meaning) in zip(nodes, wanted.items(), strict=True):
         told = not g.deps[node] & kept and not planner.is_constant(node) and count(g, [node]) <= _LARGE
         if told and not _is_mild(g, node, part, ranges):
-            found[_bounded(g, node), part] = None
+            found.setdefault((_bounded(g, node), part), meaning)
     if not found:
         return None
     function = planner.lower_out("places", "arguments that a step must not leap over", [node for node, _ in found])
-    return Leaps(function, tuple(part for _, part in found))
+    return Leaps(function, tuple(part for _, part in found), tuple(found.values()))
+
+
+def _tell_held(graph: Graph, argument: Node, function: str) -> str:
+    """What it means that the motion cannot leave the zero of a function's argument."""
+    text = to_text(graph, argument)
+    where = f"`{text}` is zero" if len(text) <= _WIDE else f"the argument of a `{function}` is zero"
+    return (
+        f"the motion is held where {where}, as dry friction holds what sticks: the forces jump there, and drive it back from "
+        "either side. Which force holds it the spec does not say: `tanh(v/eps)` in place of `sign(v)` does, or a constraint from "
+        "here on"
+    )
 
 
 def _as_exponential(graph: Graph, node: Node, values: Mapping[Node, Interval]) -> Node | None:

@@ -24,6 +24,8 @@ class Limits:
     """Attempts at steps after which it is asked whether the rest of the run would take more than MOST_STEPS of that length."""
     patience: int = 50
     """How often in a row it would before the run ends; just past a singular place steps are that short too, some 1e5 of them."""
+    glance: int = 500
+    """Attempts after which it is asked whether the motion is held at a jump of the forces."""
     unimproved: int = 2
     """Refusals in a row whose error a shorter step did not lessen; then entries near zero are held to 1e-6 of the largest only."""
     returns: int = 20

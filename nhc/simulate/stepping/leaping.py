@@ -21,6 +21,7 @@ _LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE
 _APART, _SAME = 0.5, 1e-9
 _FEW = 100.0  # times its rounding, what an argument is that is next to nothing
 _TIP = 1e-9  # of the step: what of it lies beyond a corner is as good as nothing
+_WIDER = 20  # times fourfold: until a place is beyond a corner
 
 
 class Placed(Model, Protocol):
@@ -67,25 +68,73 @@ def hop(step: Step, model: Placed, next: float, bound: float) -> None:
     """A step has ended where it was to, at a corner: if that is just ahead, beside the length of the next step, the run goes on
     just behind it, where the slope may be another one, but not behind ``bound``.
     """
-    h, length = 1e-3 * step.h, -1.0
+    h = 1e-3 * step.h
     try:
-        at = model.places(step.t, step.y, step.p)
-        ahead = model.places(step.t + h, _along(step, h), step.p)
+        near = _find_near(step, model, h, _TIP * next)
     except ArithmeticError:
         return
-    for place, later, part in zip(at, ahead, model.parts, strict=True):
-        change = later - place
-        time = abs(h * place / change) if change else inf
-        if part == CORNER and place * change <= 0.0 and time < _TIP * next:
-            length = max(length, 2.0 * time)
-    length += 4.0 * float_info.epsilon * abs(step.t)
+    length = max((2.0 * time for _, time in near), default=-1.0) + 4.0 * float_info.epsilon * abs(step.t)
     if length < 0.0 or length >= abs(bound - step.t):
         return
     moved = copysign(length, h)
-    y = [y + moved * f for y, f in zip(step.y, step.slope, strict=True)]
+    y = _along(step, moved)
     with suppress(ArithmeticError):
         step.slope = step.rhs(step.t + moved, y)
         step.t, step.y = step.t + moved, y
+
+
+def find_held(step: Step, model: Placed, length: float) -> int:
+    """The argument whose zero the state is at, beside the ``length`` of the next step, and which is driven back to it from either
+    side, as dry friction does where it sticks; -1: there is none.
+
+    The motion would slide along the jump (Filippov 1988, sec. 4), by a force that the model does not give.
+    """
+    h = 1e-3 * length
+    try:
+        near = _find_near(step, model, h, _TIP * abs(length))
+        return next((k for k, time in near if _is_held(step, model, k, time, h)), -1)
+    except ArithmeticError:
+        return -1
+
+
+def _find_near(step: Step, model: Placed, h: float, within: float) -> list[tuple[int, float]]:
+    """The corners' arguments that are zero now or ``within`` a time by the slope alone, and when; ``h``: as long as rates are found
+    over.
+    """
+    at, ahead = model.places(step.t, step.y, step.p), model.places(step.t + h, _along(step, h), step.p)
+    near = list[tuple[int, float]]()
+    for k, (place, later, part) in enumerate(zip(at, ahead, model.parts, strict=True)):
+        change = later - place
+        time = abs(h * place / change) if change else inf
+        if part == CORNER and place * change <= 0.0 and time < within:
+            near.append((k, time))
+    return near
+
+
+def _is_held(step: Step, model: Placed, k: int, time: float, h: float) -> bool:
+    """Whether argument ``k``, which is zero after a ``time``, has rates just before and just behind that with opposite signs, and
+    other ones than what they vary by at either side.
+    """
+    moved = copysign(2.0 * time + 4.0 * float_info.epsilon * max(abs(step.t), abs(h)), h)
+    start = model.places(step.t - moved, _along(step, -moved), step.p)[k]
+    for _ in range(_WIDER):  # the state's rounding may hide what it does
+        if start * model.places(step.t + moved, _along(step, moved), step.p)[k] < 0.0:
+            break
+        moved *= 4.0
+        start = model.places(step.t - moved, _along(step, -moved), step.p)[k]
+    else:
+        return False
+    before, behind = (_find_rate(step, model, k, sign * moved, h) for sign in (-1.0, 1.0))
+    earlier, later = (_find_rate(step, model, k, sign * 2.0 * moved, h) for sign in (-1.0, 1.0))
+    driven = start * before * h < 0.0 and before * behind < 0.0
+    return driven and min(abs(before), abs(behind)) > 10.0 * (abs(earlier - before) + abs(later - behind))
+
+
+def _find_rate(step: Step, model: Placed, k: int, moved: float, h: float) -> float:
+    """Of argument ``k``, at the place that the slope leads to in the time ``moved``."""
+    t, y = step.t + moved, _along(step, moved)
+    later = [y + h * f for y, f in zip(y, step.rhs(t, y), strict=True)]
+    return (model.places(t + h, later, step.p)[k] - model.places(t, y, step.p)[k]) / h
 
 
 def _judge(step: Step, model: Placed, courses: Sequence[_Course]) -> float:

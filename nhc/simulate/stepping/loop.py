@@ -7,6 +7,7 @@ import sys
 from copy import copy
 from dataclasses import replace
 
+from nhc.program.ir import CORNER
 from nhc.program.runs.limits import LIMITS
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import NoSolution, Step
@@ -15,7 +16,7 @@ from nhc.simulate.stepping.beating import find_turn
 from nhc.simulate.stepping.foretelling import expect_foretold, find_unmet, go_back, look_on
 from nhc.simulate.stepping.holding import hold_end
 from nhc.simulate.stepping.inside import has_more_stages, is_wild
-from nhc.simulate.stepping.leaping import find_most, hop
+from nhc.simulate.stepping.leaping import find_held, find_most, hop
 from nhc.simulate.stepping.lengths import find_growth, guess_length, limit_growth
 from nhc.simulate.stepping.rounding import is_faint, look_at_length, reconsider
 from nhc.simulate.stepping.state import LEAST_ERROR, Run, Watched
@@ -35,6 +36,7 @@ from nhc.simulate.task import (
     CROSSED,
     DONE,
     EVENT,
+    HELD,
     NO_SOLUTION,
     SINGULAR,
     STALLED,
@@ -65,6 +67,8 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
         if model.dips < len(run.before):
             h = 1e-3 * math.copysign(run.next, task.times[-1] - task.times[0])
             run.trend, run.span = find_trend(step, model, run.before, h), 1e3 * h
+        if (held := _leave_held(run, run.next)) is not None:
+            return held
     except ArithmeticError as error:
         return run.leave(SINGULAR, getattr(error, "status", 0))
     while True:
@@ -73,7 +77,7 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
         except ArithmeticError as error:
             done = run.leave(SINGULAR, getattr(error, "status", 0))
         if not _goes_back(run, done) and done is not None:
-            return done
+            return (_leave_held(run) if done.kind == UNDERFLOW else None) or done
 
 
 def _remember(run: Run) -> None:
@@ -130,6 +134,16 @@ def _is_stalled(run: Run) -> bool:
     return run.stalls >= LIMITS.patience
 
 
+def _leave_held(run: Run, length: float = 0.0) -> Outcome | None:
+    """An outcome where adaptive steps, the next of which has this ``length``, cannot leave a place at which the forces jump."""
+    task, s = run.task, run.step
+    if task.step > 0 or CORNER not in run.model.parts:
+        return None
+    way = task.times[-1] - task.times[0]
+    held = find_held(s, run.model, math.copysign(length or guess_length(s, run.method, way), way))
+    return run.leave(HELD, held) if held >= 0 else None
+
+
 def _attempt(run: Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
     s, run.landing = run.step, 1.0
@@ -174,6 +188,8 @@ def _advance(run: Run) -> Outcome | None:
         return run.leave(TOO_MANY)
     if _is_stalled(run):
         return run.leave(STALLED)
+    if (run.steps + run.rejected + 1) % LIMITS.glance == 0 and (held := _leave_held(run)) is not None:
+        return held
     plan = _plan(run)
     if plan is None:
         return run.leave(UNDERFLOW)
@@ -203,6 +219,8 @@ def _advance(run: Run) -> Outcome | None:
     if landed and s.t != start:  # behind a corner the motion is another one
         run.landings, run.growth, run.former = 0, limit_growth(run.method), 1.0
         run.next = min(max(run.next, guess_length(s, run.method, task.times[-1] - task.times[0])), run.most)
+        if done is None:
+            done = _leave_held(run, run.next)
         if done is None:
             hop(s, run.model, run.next, run.bound)
     return done
@@ -278,7 +296,7 @@ def _pass_stop(run: Run) -> Outcome | None:
         return run.leave(DONE)
     s.first, s.longest_since, run.next = True, 0.0, max(run.next, 4 * _EPSILON * abs(s.t))
     s.slope = s.rhs(s.t, s.y)
-    return None
+    return _leave_held(run, run.next)
 
 
 def _point(run: Run, part: float) -> list[float]:
