@@ -101,7 +101,7 @@ class Pace:
             self.looks = FIRST
             return job
         self.method, self.looks = trial.method, trial.looks
-        return trial.job if trial.job.formulation == job.formulation else job
+        return trial.job if _are_alike(trial.job, job) else job
 
     def _go_back(self, job: Job, t: float, why: str) -> Job:
         assert self.explicit is not None
@@ -109,9 +109,14 @@ class Pace:
         if self.trial is None:
             self.tell(f"at t = {t:.6g} {IMPLICIT} {why}: the run goes on with {method}")
         self.method, self.explicit, self.trial = method, None, None
-        return former if former.formulation == job.formulation else job
+        return former if _are_alike(former, job) else job
 
     def finish(self) -> None:
         """Say what was not said yet."""
         if self.trial is not None:
             self.tell(self.trial.note)
+
+
+def _are_alike(one: Job, other: Job) -> bool:
+    """Whether they have the same state."""
+    return one.system is other.system and one.formulation == other.formulation

@@ -18,6 +18,7 @@ from nhc.program.model import build_program
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.beats import find_beats
 from nhc.program.runs.clock import find_stops
+from nhc.program.runs.friction import Friction, put_values
 from nhc.program.runs.hold import TORN_HOLD, hold_functions, tell_torn
 from nhc.program.runs.leaps import find_leaps
 from nhc.program.runs.needed import Column, list_checks, list_columns, needed_function, planned_sketch
@@ -36,7 +37,7 @@ class Recipe:
     ``needs``: names of what the user wants (none: the scene's own); ``event``: its zero ends the run, ``until``: its text;
     ``jacobian``: an implicit method needs it; ``hold``: states are brought back to the constraints; ``checks``: energy and
     residuals are computed as well, with ``draw`` what the spec draws; ``weak``: the coframe is watched for where it becomes
-    weak, before it is singular.
+    weak, before it is singular; ``frictions``: those that hold, as the last constraints of the equations' system.
     """
 
     equations: Equations
@@ -48,6 +49,7 @@ class Recipe:
     draw: bool = False
     weak: bool = False
     until: str = ""
+    frictions: tuple[Friction, ...] = ()
 
 
 @record
@@ -116,11 +118,13 @@ def prepare(
     equations, scene = recipe.equations, start.scene
     system = equations.system
     planner = Planner(equations, formulation)
-    columns = list_columns(planner, recipe.needs or tuple(need.name for need in scene.need))
+    columns = _list_columns(planner, recipe, scene)
     checks = list_checks(planner) if recipe.checks else []
     sketch = planned_sketch(planner) if recipe.draw else _NOTHING
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
-    watch, watched = watch_function(planner, recipe.event, recipe.weak, known if fixed else {}, [start.values(system)])
+    watch, watched = watch_function(
+        planner, recipe.event, recipe.weak, known if fixed else {}, [start.values(system)], recipe.frictions
+    )
     structure = structure_of(planner) if natural else Structure()
     beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, recipe.hold)
     functions = (
@@ -157,12 +161,18 @@ def prepare(
     )
 
 
+def _list_columns(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
+    columns = list_columns(planner, recipe.needs or tuple(need.name for need in scene.need))
+    nodes = put_values(planner, recipe.frictions, [column.node for column in columns])
+    return [replace(column, node=node) for column, node in zip(columns, nodes, strict=True)]
+
+
 def _exchanged(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
     """The needed columns where the coframe is solved with exchanges; none where it never is."""
     other = planner.exchanges
     if other is None:
         return []
-    columns = list_columns(other, recipe.needs or tuple(need.name for need in scene.need))
+    columns = _list_columns(other, recipe, scene)
     checks = list_checks(other) if recipe.checks else []
     return [*columns, *checks, *_drawn(planned_sketch(other) if recipe.draw else _NOTHING)]
 

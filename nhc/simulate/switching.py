@@ -8,7 +8,7 @@ stability, the run goes on with an implicit one if that takes steps long enough 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
@@ -18,7 +18,8 @@ from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_o
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
-from nhc.simulate.task import CROSSED, DONE, SINGULAR, Outcome, Task
+from nhc.simulate.sticking import Sticking
+from nhc.simulate.task import CROSSED, DONE, HELD, SINGULAR, Outcome, Task
 
 SOUND = 0.01
 """Of a coframe's determinant over the lengths of its rows: from here on nothing is said."""
@@ -67,12 +68,12 @@ class Follower:
         """The legs of a run; the outcome of the last one says how it ended."""
         job, legs, first = self.job, list[Leg](), task
         self.told, self.changes = {}, 0
-        pace = Pace(self.method, task, self.auto, self._say)
+        pace, sticking = Pace(self.method, task, self.auto, self._say), Sticking(self._say)
         while True:
             outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
             legs.append(Leg(job, pace.method, task, outcome))
             pace.count(outcome)
-            following = self._decide(legs[-1]) or self._pace(pace, legs[-1])
+            following = self._stick(sticking, legs) or self._decide(legs[-1]) or self._pace(pace, legs[-1])
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:
                 pace.finish()
@@ -81,7 +82,9 @@ class Follower:
             # what was left out of its state cannot be carried over: once more
             if job.kept is None and following.kept is not None:
                 return self._repeat(following, first)
-            y = outcome.y if is_same(job.formulation, following.formulation) else carry(job, following, outcome)
+            same = job.system is following.system and is_same(job.formulation, following.formulation)
+            y: Sequence[float] = outcome.y if same else carry(job, following, outcome)
+            y = sticking.let_go(following, outcome.t, y)
             if outcome.t == task.times[0]:  # nothing came of it
                 legs.pop()
                 rest = task.times[1:]
@@ -101,6 +104,20 @@ class Follower:
 
     def _say(self, line: str) -> None:
         self.told[line] = None
+
+    def _stick(self, sticking: Sticking, legs: list[Leg]) -> Job | None:
+        """The job that a run goes on with where dry friction begins to hold or breaks loose."""
+        job, outcome = legs[-1].job, legs[-1].outcome
+        recipe = job.recipe
+        if recipe is None or not recipe.weak:
+            return None
+        if outcome.kind == HELD:
+            whole = job.kept is not None
+            return sticking.hold(job, outcome) if whole else make_job(recipe, job.system, job.formulation, job)
+        following = sticking.release(job, outcome)
+        if following is not None:
+            legs[-1] = replace(legs[-1], outcome=replace(outcome, kind=CROSSED))  # the event is not the user's
+        return following
 
     def _decide(self, leg: Leg) -> Job | None:
         """The job that the run goes on with; None where it ends here."""
@@ -129,7 +146,8 @@ class Follower:
         place = place_of(job, recipe, outcome)
         if place is None:
             return None
-        others = [Choice(made.system, made.formulation, 0.0) for made in self.jobs if made is not job]
+        made_before = [made for made in self.jobs if made.system is job.system]
+        others = [Choice(made.system, made.formulation, 0.0) for made in made_before if made is not job]
         found = find_better(job.system, job.formulation, place, others)
         if found is None:
             return None
@@ -140,9 +158,10 @@ class Follower:
                 f"at t = {outcome.t:.9g} the run goes on with {name_of(found.system, found.formulation)} "
                 f"(conditioning {found.value:.2g}) in place of {name_of(job.system, job.formulation)} ({value:.2g})"
             )
-        if not self.jobs:
+        if not made_before:
             self.jobs.append(job)
-        for made in self.jobs:
+            made_before = [job]
+        for made in made_before:
             if is_same(made.formulation, found.formulation):
                 return made
         made = make_job(recipe, found.system, found.formulation, job)

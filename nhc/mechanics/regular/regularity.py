@@ -123,12 +123,13 @@ def coframe_weakness(system: System, forms: Sequence[Form]) -> tuple[int, float]
 def choose_dependent(system: System) -> Choice:
     """The l velocities to solve for: never singular where there is such a choice, else singular as rarely as possible.
 
-    The graph keeps the choice: a system with other values in the same constraints has the same one.
+    The graph keeps the choice: a system with other values in constraints of the same names has the same one.
     """
-    known: Choice | None = system.graph.memory.get("dependent velocities")
-    if known is None:
-        known = system.graph.memory["dependent velocities"] = _choose(system)
-    return known
+    known: dict[tuple[str, ...], Choice] = system.graph.memory.setdefault("dependent velocities", {})
+    names = tuple(form.name for form in system.constraints)
+    if names not in known:
+        known[names] = _choose(system)
+    return known[names]
 
 
 def _choose(system: System) -> Choice:

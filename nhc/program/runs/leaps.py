@@ -51,10 +51,25 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
 
     ``known``: intervals of symbols beside those of the spec, such as a scene's parameters.
     """
+    found = find_functions(planner, known)
+    if not found:
+        return None
+    nodes = [node for node, _ in found]
+    function = planner.lower_out("places", "arguments that a step must not leap over", nodes)
+    told = [_tell_held(planner.graph, source) if part == CORNER else "" for (_, part), source in found.items()]
+    return Leaps(function, tuple(part for _, part in found), tuple(told))
+
+
+def find_functions(
+    planner: PlannerBase, known: Mapping[Node, Interval] | None = None
+) -> dict[tuple[Node, tuple[float, float]], Node]:
+    """The functions of the system that are short somewhere or bend, by their arguments on the motion and what
+    :class:`nhc.program.ir.Leaps` says of them, in its order.
+    """
     system, g = planner.system, planner.graph
     moved = (system.t, *system.q, *system.v)
     held = {g.sum([g.power(e, 2) for e in rotation.e]) for rotation in system.rotations}  # to 1, after each step
-    wanted, ranges = dict[tuple[Node, tuple[float, float]], str](), {**intervals(system), **(known or {})}
+    wanted, ranges = dict[tuple[Node, tuple[float, float]], Node](), {**intervals(system), **(known or {})}
     values = {symbol: ranges[symbol] for symbol in system.p if symbol in ranges}
     for node in list_reached(system, moved):
         op = g.op[node]
@@ -62,32 +77,35 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
             continue
         part, high = _PARTS.get(op), _as_exponential(g, node, values)
         if high is not None:
-            wanted[high, _PARTS["exp"]] = ""
+            wanted[high, _PARTS["exp"]] = node
         if part is None or (op == POW and g.b[node] > 0) or (op in _RELATIVE and not _is_plain(g, g.a[node], moved)):
             continue
-        argument = g.sub(g.a[node], g.b[node]) if op in ("min", "max") else g.a[node]
-        if (g.neg(argument), part) not in wanted:
-            wanted[argument, part] = _tell_held(g, argument, op) if part == CORNER else ""
+        argument = _argument(g, node)
+        key = (argument, part) if (g.neg(argument), part) not in wanted else (g.neg(argument), part)
+        if key not in wanted or op == "sign":  # of all that bend there it alone may hold a motion
+            wanted[key] = node
     if not wanted:
-        return None
+        return {}
     on = moving(system, planner.full_equations.motion.velocities)
     nodes = substitute(g, substitute(g, [argument for argument, _ in wanted], on), planner.put_in)
     kept = ~g.mask((*planner.state_loads,))
-    found = dict[tuple[Node, tuple[float, float]], str]()
-    for node, ((_, part), meaning) in zip(nodes, wanted.items(), strict=True):
+    found = dict[tuple[Node, tuple[float, float]], Node]()
+    for node, ((_, part), source) in zip(nodes, wanted.items(), strict=True):
         told = not g.deps[node] & kept and not planner.is_constant(node) and count(g, [node]) <= _LARGE
         if told and not _is_mild(g, node, part, ranges):
-            found.setdefault((_bounded(g, node), part), meaning)
-    if not found:
-        return None
-    function = planner.lower_out("places", "arguments that a step must not leap over", [node for node, _ in found])
-    return Leaps(function, tuple(part for _, part in found), tuple(found.values()))
+            found[_bounded(g, node), part] = source
+    return found
 
 
-def _tell_held(graph: Graph, argument: Node, function: str) -> str:
+def _argument(graph: Graph, node: Node) -> Node:
+    """What a function is of; of the lesser or larger of two, their difference."""
+    return graph.sub(graph.a[node], graph.b[node]) if graph.op[node] in ("min", "max") else graph.a[node]
+
+
+def _tell_held(graph: Graph, function: Node) -> str:
     """What it means that the motion cannot leave the zero of a function's argument."""
-    text = to_text(graph, argument)
-    where = f"`{text}` is zero" if len(text) <= _WIDE else f"the argument of a `{function}` is zero"
+    text = to_text(graph, _argument(graph, function))
+    where = f"`{text}` is zero" if len(text) <= _WIDE else f"the argument of a `{graph.op[function]}` is zero"
     return (
         f"the motion is held where {where}, as dry friction holds what sticks: the forces jump there, and drive it back from "
         "either side. Which force holds it the spec does not say: `tanh(v/eps)` in place of `sign(v)` does, or a constraint from "

@@ -35,6 +35,7 @@ from nhc.program.ir import Function, Lookout
 from nhc.program.plan import GuardPlan, SolvePlan
 from nhc.program.planning.base import MASS_LOST
 from nhc.program.planning.planner import Planner
+from nhc.program.runs.friction import Friction, list_releases
 from nhc.program.runs.nearness import are_masses_regular, find_nearness
 from nhc.records import record
 
@@ -69,7 +70,7 @@ class Watch:
     """``about[k]`` says what value k is, ``kinds[k]`` is event, edge, frame, mass, rank, row, minors or whole, and deep for a
     frame's lower levels.
 
-    ``events``, ``signs``, ``close`` count the user's events, the edges and determinants, and the values that tell a singularity by
+    ``events``, ``signs``, ``close`` count the events, the edges and determinants, and the values that tell a singularity by
     closeness; those after them tell weakness, first of ``frames`` determinants of coframes, each at the levels ``WEAK``.
     """
 
@@ -132,15 +133,18 @@ def watch_function(
     weak: bool,
     known: dict[Node, tuple[float, float]],
     starts: Sequence[Mapping[Node, float]],
+    frictions: Sequence[Friction] = (),
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
-    ``known``: intervals of symbols beside those of the spec, such as a scene's parameters; ``starts``: values of t, q and p.
+    ``known``: intervals of symbols beside those of the spec, such as a scene's parameters; ``starts``: values of t, q and p;
+    ``frictions``: those that hold, whose ends are events after the user's.
     """
-    events, edges = _asked(planner, event)
+    events, edges = _asked(planner, event, frictions)
     frames = _frames(planner)
     determinants = [*_turned(planner), *_determinant(planner, known)]
     whole, solves = _whole(planner, known)
+    solves = (*solves, *(plan for plan in planner.solves if plan not in solves)) if frictions else solves
     # pivots of a mass matrix have no value where one of the coframe's vanishes, which is no singular place
     pivots = [] if planner.exchanges else _pivots(planner, known)
     measures = [*frames, *determinants, *pivots, *_rank(planner), *(whole or _rows(planner, starts))]
@@ -163,18 +167,20 @@ def watch_function(
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(edges) + len(signs), close, len(frames) if weak else 0)
     what, other = "values whose change of sign ends a run", planner.exchanges
-    if other is None or event is None:
+    if other is None or not events:
         return planner.lower_out("watch", what, nodes, about, solves=solves), watch
     made = planner.lower_out("watch", what, nodes, about, planner.frame_guards())
-    exchanged = [*chain(*_asked(other, event)), *nodes[len(events) + len(edges) :]]
+    exchanged = [*chain(*_asked(other, event, frictions)), *nodes[len(events) + len(edges) :]]
     return replace(made, otherwise=other.lower_out("watch", what, exchanged, about)), watch
 
 
-def _asked(planner: Planner, event: Event | None) -> tuple[list[Node], list[Node]]:
+def _asked(planner: Planner, event: Event | None, frictions: Sequence[Friction]) -> tuple[list[Node], list[Node]]:
+    """The events, the user's first, and its edges."""
+    releases = list_releases(planner, frictions) if frictions else []
     if event is None:
-        return [], []
+        return releases, []
     value, *edges = planner.on_motion([event.value, *event.edges])
-    return [value], edges
+    return [value, *releases], edges
 
 
 def look_out(
