@@ -28,6 +28,7 @@ from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.task import EVENT, Outcome
 
+TOLD = 6  # changes that are told one by one
 _WIDE = 60  # characters of a velocity that are shown
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the motion goes on
@@ -35,13 +36,19 @@ _ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the m
 
 @dataclass
 class Sticking:
-    """What dry friction holds in a run: ``loose`` is the job in which nothing is held, ``held`` are those in which something is."""
+    """What dry friction holds in a run: ``loose`` is the job in which nothing is held, ``held`` are those in which something is.
+
+    ``tell`` is told the first of the changes, ``changes`` counts them.
+    """
 
     tell: Callable[[str], None]
+    changes: int = 0
     loose: Job | None = None
     held: dict[tuple[Node, ...], Job] = field(default_factory=dict)
     released: Friction | None = None
     times: list[float] = field(default_factory=list)
+    _frictions: list[tuple[Job, list[Friction | None]]] = field(default_factory=list)
+    _sides: list[tuple[Job, InterpretedModel]] = field(default_factory=list)
 
     def hold(self, job: Job, outcome: Outcome) -> Job | None:
         """The job that goes on from where a motion is held at a jump of the forces; None where that is no dry friction that acts
@@ -52,10 +59,7 @@ class Sticking:
         self.times.append(outcome.t)
         if self.times[:-_MOST] and abs(self.times[-_MOST] - outcome.t) <= _NOTHING * abs(job.time[1] - job.time[0]):
             return None
-        known = {symbol: (value, value) for symbol, value in zip(system.p, job.p, strict=True)}
-        functions = list(find_functions(Planner(recipe.equations, job.formulation), known).values())
-        friction = _find_friction(system, functions[outcome.status])
-        place = place_of(job, recipe, outcome)
+        friction, place = self._list_frictions(job, recipe)[outcome.status], place_of(job, recipe, outcome)
         if friction is None or place is None or not _value(system, friction.size, place) > 0.0:
             return None
         if not recipe.frictions and job is not self.loose:
@@ -66,8 +70,18 @@ class Sticking:
             SpecError
         ):  # what is held follows from the constraints already, or the rest does not determine the motion
             return None
-        self.tell(f"from t = {outcome.t:.9g} on dry friction holds `{_describe(system, friction)}` at zero")
+        self._tell(f"from t = {outcome.t:.9g} on dry friction holds `{_describe(system, friction)}` at zero")
         return following
+
+    def _list_frictions(self, job: Job, recipe: Recipe) -> list[Friction | None]:
+        """By the arguments of a job's steps (:func:`nhc.program.runs.leaps.find_functions`)."""
+        for owner, known in self._frictions:
+            if owner is job:
+                return known
+        values = {symbol: (value, value) for symbol, value in zip(job.system.p, job.p, strict=True)}
+        functions = find_functions(Planner(recipe.equations, job.formulation), values)
+        self._frictions.append((job, [_find_friction(job.system, function) for function in functions.values()]))
+        return self._frictions[-1][1]
 
     def release(self, job: Job, outcome: Outcome) -> Job | None:
         """The job that goes on from where a friction that held has become as large as it can be; None where none has."""
@@ -76,7 +90,7 @@ class Sticking:
         if recipe is None or outcome.kind != EVENT or outcome.status < first or self.loose is None:
             return None
         self.released = recipe.frictions[outcome.status - first]
-        self.tell(f"at t = {outcome.t:.9g} `{_describe(job.system, self.released)}` breaks loose")
+        self._tell(f"at t = {outcome.t:.9g} `{_describe(job.system, self.released)}` breaks loose")
         left = tuple(friction for friction in recipe.frictions if friction is not self.released)
         loose = self.loose.recipe
         return self._hold_by(self.loose, loose, left) if left and loose is not None else self.loose
@@ -84,7 +98,21 @@ class Sticking:
     def let_go(self, job: Job, t: float, y: Sequence[float]) -> Sequence[float]:
         """The state of a job that a run goes on with: a little beside the jump, where one was released."""
         released, self.released = self.released, None
-        return y if released is None else _put_aside(job, released, t, y)
+        return y if released is None else _put_aside(job, self._side(job), released, t, y)
+
+    def _side(self, job: Job) -> InterpretedModel:
+        """The right-hand side of a job, for the side that a motion leaves to."""
+        for owner, model in self._sides:
+            if owner is job:
+                return model
+        functions = tuple(function for function in job.program.functions if function.name == "rhs")
+        self._sides.append((job, InterpretedModel(replace(job.program, functions=functions), 0)))
+        return self._sides[-1][1]
+
+    def _tell(self, line: str) -> None:
+        self.changes += 1
+        if self.changes <= TOLD:
+            self.tell(line)
 
     def _hold_by(self, job: Job, recipe: Recipe, frictions: tuple[Friction, ...]) -> Job:
         """The job in which these hold, those of the job's own recipe first.
@@ -108,14 +136,12 @@ def _describe(system: System, friction: Friction) -> str:
     return to_text(system.graph, system.graph.a[friction.function], _WIDE)
 
 
-def _put_aside(job: Job, released: Friction, t: float, y: Sequence[float]) -> list[float]:
+def _put_aside(job: Job, model: InterpretedModel, released: Friction, t: float, y: Sequence[float]) -> list[float]:
     """The state of ``job``, in which the friction holds no longer, a little to the side that the forces drive it to."""
     assert job.recipe is not None
     n, motion, g = job.system.n, job.recipe.equations.motion, job.system.graph
     on = dict(zip(job.system.v, motion.velocities, strict=True))
     (slip,) = substitute(g, [g.a[released.function]], on)
-    rhs = tuple(function for function in job.program.functions if function.name == "rhs")
-    model = InterpretedModel(replace(job.program, functions=rhs), 0)
 
     def find_slip(t: float, y: Sequence[float]) -> float:
         place = {job.system.t: t, **dict(zip((*job.system.p, *job.system.q, *motion.w), (*job.p, *y), strict=True))}

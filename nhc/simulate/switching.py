@@ -18,12 +18,11 @@ from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_o
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
-from nhc.simulate.sticking import Sticking
+from nhc.simulate.sticking import TOLD, Sticking
 from nhc.simulate.task import CROSSED, DONE, HELD, SINGULAR, Outcome, Task
 
 SOUND = 0.01
 """Of a coframe's determinant over the lengths of its rows: from here on nothing is said."""
-TOLD = 6  # changes that are told one by one
 _FRAME = ("frame", "deep")
 _NEAR = {
     "deep": "the coframe is nearly singular, and no other choice is better",
@@ -57,23 +56,28 @@ class Follower:
     told: dict[str, None] = field(default_factory=dict)
     changes: int = 0
     jobs: list[Job] = field(default_factory=list)
+    sticking: Sticking = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.sticking = Sticking(self._say)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What happened in the last run."""
-        more = self.changes - TOLD
-        return (*self.told, *((f"{more} more changes of the formulation",) if more > 0 else ()))
+        more, held = self.changes - TOLD, self.sticking.changes - TOLD
+        rest = ((more, "more changes of the formulation"), (held, "more times friction begins to hold or breaks loose"))
+        return (*self.told, *(f"{count} {what}" for count, what in rest if count > 0))
 
     def run(self, task: Task) -> list[Leg]:
         """The legs of a run; the outcome of the last one says how it ended."""
         job, legs, first = self.job, list[Leg](), task
         self.told, self.changes = {}, 0
-        pace, sticking = Pace(self.method, task, self.auto, self._say), Sticking(self._say)
+        pace, self.sticking = Pace(self.method, task, self.auto, self._say), Sticking(self._say)
         while True:
             outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
             legs.append(Leg(job, pace.method, task, outcome))
             pace.count(outcome)
-            following = self._stick(sticking, legs) or self._decide(legs[-1]) or self._pace(pace, legs[-1])
+            following = self._stick(legs) or self._decide(legs[-1]) or self._pace(pace, legs[-1])
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:
                 pace.finish()
@@ -84,7 +88,7 @@ class Follower:
                 return self._repeat(following, first)
             same = job.system is following.system and is_same(job.formulation, following.formulation)
             y: Sequence[float] = outcome.y if same else carry(job, following, outcome)
-            y = sticking.let_go(following, outcome.t, y)
+            y = self.sticking.let_go(following, outcome.t, y)
             if outcome.t == task.times[0]:  # nothing came of it
                 legs.pop()
                 rest = task.times[1:]
@@ -105,7 +109,7 @@ class Follower:
     def _say(self, line: str) -> None:
         self.told[line] = None
 
-    def _stick(self, sticking: Sticking, legs: list[Leg]) -> Job | None:
+    def _stick(self, legs: list[Leg]) -> Job | None:
         """The job that a run goes on with where dry friction begins to hold or breaks loose."""
         job, outcome = legs[-1].job, legs[-1].outcome
         recipe = job.recipe
@@ -113,8 +117,8 @@ class Follower:
             return None
         if outcome.kind == HELD:
             whole = job.kept is not None
-            return sticking.hold(job, outcome) if whole else make_job(recipe, job.system, job.formulation, job)
-        following = sticking.release(job, outcome)
+            return self.sticking.hold(job, outcome) if whole else make_job(recipe, job.system, job.formulation, job)
+        following = self.sticking.release(job, outcome)
         if following is not None:
             legs[-1] = replace(legs[-1], outcome=replace(outcome, kind=CROSSED))  # the event is not the user's
         return following

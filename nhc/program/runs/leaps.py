@@ -108,8 +108,8 @@ def _tell_held(graph: Graph, function: Node) -> str:
     where = f"`{text}` is zero" if len(text) <= _WIDE else f"the argument of a `{graph.op[function]}` is zero"
     return (
         f"the motion is held where {where}, as dry friction holds what sticks: the forces jump there, and drive it back from "
-        "either side. Which force holds it the spec does not say: `tanh(v/eps)` in place of `sign(v)` does, or a constraint from "
-        "here on"
+        "either side. `nhc run` goes on where the force acts along what it holds; else `tanh(v/eps)` in place of `sign(v)` does, "
+        "or a constraint from here on"
     )
 
 

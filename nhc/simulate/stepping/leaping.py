@@ -21,6 +21,7 @@ _LOOKS = (0.0, _CLOSE, 2.0 * _CLOSE, 0.29, 0.5, 1.0 - 2.0 * _CLOSE, 1.0 - _CLOSE
 _APART, _SAME = 0.5, 1e-9
 _FEW = 100.0  # times its rounding, what an argument is that is next to nothing
 _TIP = 1e-9  # of the step: what of it lies beyond a corner is as good as nothing
+_SHORT = 1e-9  # of the state: a way aside
 _WIDER = 20  # times fourfold: until a place is beyond a corner
 
 
@@ -105,35 +106,52 @@ def _find_near(step: Step, model: Placed, h: float, within: float) -> list[tuple
     near = list[tuple[int, float]]()
     for k, (place, later, part) in enumerate(zip(at, ahead, model.parts, strict=True)):
         change = later - place
-        time = abs(h * place / change) if change else inf
+        time = abs(h * place / change) if change else inf if place else 0.0
         if part == CORNER and place * change <= 0.0 and time < within:
             near.append((k, time))
     return near
 
 
 def _is_held(step: Step, model: Placed, k: int, time: float, h: float) -> bool:
-    """Whether argument ``k``, which is zero after a ``time``, has rates just before and just behind that with opposite signs, and
-    other ones than what they vary by at either side.
+    """Whether argument ``k``, which is zero after a ``time``, has rates at either side of that with opposite signs, and other ones
+    than what they vary by there.
     """
     moved = copysign(2.0 * time + 4.0 * float_info.epsilon * max(abs(step.t), abs(h)), h)
-    start = model.places(step.t - moved, _along(step, -moved), step.p)[k]
+    aside = [moved * f for f in step.slope]
     for _ in range(_WIDER):  # the state's rounding may hide what it does
-        if start * model.places(step.t + moved, _along(step, moved), step.p)[k] < 0.0:
+        if _find_at(step, model, k, moved, aside, -1.0) * _find_at(step, model, k, moved, aside, 1.0) < 0.0:
             break
-        moved *= 4.0
-        start = model.places(step.t - moved, _along(step, -moved), step.p)[k]
-    else:
-        return False
-    before, behind = (_find_rate(step, model, k, sign * moved, h) for sign in (-1.0, 1.0))
-    earlier, later = (_find_rate(step, model, k, sign * 2.0 * moved, h) for sign in (-1.0, 1.0))
-    driven = start * before * h < 0.0 and before * behind < 0.0
+        moved, aside = 4.0 * moved, [4.0 * a for a in aside]
+    else:  # at rest it stays zero along the slope
+        moved, aside = 0.0, _find_way(step, model, k)
+        if _find_at(step, model, k, moved, aside, -1.0) * _find_at(step, model, k, moved, aside, 1.0) >= 0.0:
+            return False
+    before, behind, earlier, later = (_find_rate(step, model, k, moved, aside, x, h) for x in (-1.0, 1.0, -2.0, 2.0))
+    driven = _find_at(step, model, k, moved, aside, -1.0) * before * h < 0.0 and before * behind < 0.0
     return driven and min(abs(before), abs(behind)) > 10.0 * (abs(earlier - before) + abs(later - behind))
 
 
-def _find_rate(step: Step, model: Placed, k: int, moved: float, h: float) -> float:
-    """Of argument ``k``, at the place that the slope leads to in the time ``moved``."""
-    t, y = step.t + moved, _along(step, moved)
-    later = [y + h * f for y, f in zip(y, step.rhs(t, y), strict=True)]
+def _find_way(step: Step, model: Placed, k: int) -> list[float]:
+    """A short way along the entry of the state that argument ``k`` changes most with."""
+    length = _SHORT * (max(map(abs, step.size), default=0.0) or 1.0)
+    begin, most, way = model.places(step.t, step.y, step.p)[k], 0.0, [0.0] * len(step.y)
+    for i in range(len(step.y)):
+        moved = [y + length if i == j else y for j, y in enumerate(step.y)]
+        change = abs(model.places(step.t, moved, step.p)[k] - begin)
+        if change > most:
+            most, way = change, [length if i == j else 0.0 for j in range(len(step.y))]
+    return way
+
+
+def _find_at(step: Step, model: Placed, k: int, moved: float, aside: Sequence[float], part: float) -> float:
+    """Argument ``k`` at a part of the way ``aside``, which takes the time ``moved``."""
+    return model.places(step.t + part * moved, [y + part * a for y, a in zip(step.y, aside, strict=True)], step.p)[k]
+
+
+def _find_rate(step: Step, model: Placed, k: int, moved: float, aside: Sequence[float], part: float, h: float) -> float:
+    """The same argument's rate there, over the time ``h``."""
+    t, y = step.t + part * moved, [y + part * a for y, a in zip(step.y, aside, strict=True)]
+    later = [a + h * f for a, f in zip(y, step.rhs(t, y), strict=True)]
     return (model.places(t + h, later, step.p)[k] - model.places(t, y, step.p)[k]) / h
 
 

@@ -1,0 +1,238 @@
+"""Dry friction: a run goes on with what it holds as one more constraint, until it breaks loose."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from nhc.language import Source
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+
+pytestmark = pytest.mark.usefixtures("optimised_models")
+BOTH = pytest.mark.parametrize("compiled", [False, True])
+
+THROWN = """nhc: 1
+system: thrown
+coordinates: [x, th]
+parameters: {m: 1.5, r: 0.7, J: 0.4, mu: 0.3, g: 9.81, F: 0}
+define: {slip: x' - r*th'}
+T: m*x'^2/2 + J*th'^2/2
+forces: {x: F - mu*m*g*sign(slip), th: r*mu*m*g*sign(slip)}
+outputs: {friction: -mu*m*g*sign(slip)}
+scenes:
+  throw: {initial: {x': 4, th': 1}, time: [0, 5], need: [x, th, x', th', friction]}
+  pull: {parameters: {F: 2}, time: [0, 5], need: [x, th, x', th', friction]}
+"""
+STACK = """nhc: 1
+system: stack
+coordinates: [X, x]
+parameters: {M: 2, m: 1, c1: 3, c2: 0.8, a: 1.5}
+T: M*X'^2/2 + m*x'^2/2
+define: {u: X - x}
+forces: {X: a*t - c1*sign(X'), u: -c2*sign(u')}
+outputs: {ground: -c1*sign(X'), between: -c2*sign(u')}
+scenes: {pull: {time: [0, 8], need: [X, x, X', x', ground, between]}}
+"""
+BELT = """nhc: 1
+system: belt
+coordinates: [x]
+parameters: {m: 1, k: 20, c: 3, V: 0.4, d: 0.6}
+T: m*x'^2/2
+V: k*x^2/2
+forces: {x: "-d*x' + FRICTION"}
+scenes: {a: {time: [0, 6], need: [x, x']}}
+"""
+SKATE = """nhc: 1
+system: braked
+coordinates: [x, y, th]
+parameters: {m: 2, J: 0.3, a: 0.1, c: 0.4, d: 0.2}
+define: {v: cos(th)*x' + sin(th)*y'}
+T: m*((x' - a*th'*sin(th))^2 + (y' + a*th'*cos(th))^2)/2 + J*th'^2/2
+constraints: [x'*sin(th) = y'*cos(th)]
+forces: {v: -c*sign(v), th: -d*sign(th')}
+scenes: {go: {initial: {th: 0.3, x': 2*cos(0.3), y': 2*sin(0.3), th': 1.5}, time: [0, 12], need: [x, y, th]}}
+"""
+
+
+def motion(text: str, scene: str = "", compiled: bool = False, **settings: object) -> Trajectory:
+    job = open_scene(
+        Source("sticking.yaml", text),
+        scene,
+        formulation=str(settings.pop("formulation", "")),
+        until=str(settings.pop("until", "")),
+        stay=bool(settings.pop("stay", False)),
+        method=str(settings.get("method", "auto")),
+    )
+    return run(job, Settings(points=21, compiled=compiled, **settings))  # type: ignore[arg-type]
+
+
+@BOTH
+@pytest.mark.parametrize("method", ["auto", "dopri5", "radau5"])
+def test_a_body_that_is_thrown_slides_until_it_rolls(method: str, compiled: bool) -> None:
+    """The slip falls by mu g (1 + m r^2/J) each second; then it rolls, and no friction is left."""
+    found = motion(THROWN, "throw", compiled, method=method)
+    assert found.ended == "done"
+    rolls = (4 - 0.7) / (0.3 * 9.81 * (1 + 1.5 * 0.7**2 / 0.4))
+    (note,) = found.notes
+    assert note == f"from t = {float(note.split()[3]):.9g} on dry friction holds `x' - r*th'` at zero"
+    assert float(note.split()[3]) == pytest.approx(rolls, rel=1e-7)
+    speed = 4 - 0.3 * 9.81 * rolls
+    x, th, xp, thp, friction = found.rows[-1]
+    assert (xp, thp) == pytest.approx((speed, speed / 0.7), rel=1e-7)
+    assert x == pytest.approx(4 * rolls - 0.15 * 9.81 * rolls**2 + speed * (5 - rolls), rel=1e-7)
+    assert th == pytest.approx(
+        rolls + 0.5 * 0.3 * 9.81 * 1.5 * 0.7 / 0.4 * rolls**2 + speed / 0.7 * (5 - rolls), rel=1e-7
+    )
+    assert friction == pytest.approx(0.0, abs=1e-9)
+    assert found.rows[0][4] == pytest.approx(-0.3 * 1.5 * 9.81)
+
+
+def test_friction_is_what_it_takes_to_roll() -> None:
+    """Pulled by F it rolls from the start: x'' = F/(m + J/r^2), and friction gives the rim what it takes, -J x''/r^2."""
+    found = motion(THROWN, "pull")
+    speeding = 2 / (1.5 + 0.4 / 0.7**2)
+    assert found.notes == ("from t = 0 on dry friction holds `x' - r*th'` at zero",)
+    for t, row in zip(found.times, found.rows, strict=True):
+        assert row[:2] == pytest.approx((speeding * t**2 / 2, speeding * t**2 / 1.4), abs=1e-9)
+        if t > 0.0:
+            assert row[4] == pytest.approx(-0.4 * speeding / 0.7**2, rel=1e-9)
+
+
+@BOTH
+def test_two_blocks_break_loose_one_after_the_other(compiled: bool) -> None:
+    """The lower one where a t = c1; the upper one where its share of the force is c2: t = (c1 + c2 (M + m)/m)/a."""
+    found = motion(STACK, compiled=compiled)
+    told = [(note.split("`")[1], note) for note in found.notes]
+    assert [name for name, _ in told] == ["X'", "X' - x'", "X'", "X' - x'"]
+    times = [float(note.split()[3]) for _, note in told]
+    assert times == pytest.approx([0.0, 0.0, 2.0, 3.6], abs=1e-7)
+    for t, row in zip(found.times, found.rows, strict=True):
+        if t < 2.0:
+            expected = (0.0, 0.0, 0.0, 0.0, -1.5 * t, 0.0)
+        elif t < 3.6:
+            speed = 0.25 * (t - 2) ** 2
+            expected = ((t - 2) ** 3 / 12, (t - 2) ** 3 / 12, speed, speed, -3.0, -0.5 * (t - 2))
+        else:
+            s, begin, speed = t - 3.6, 1.6**3 / 12, 0.25 * 1.6**2
+            lower = speed + 0.8 * s + 0.375 * s**2  # M X'' = a t - c1 - c2
+            upper = speed + 0.8 * s
+            expected = (
+                begin + speed * s + 0.4 * s**2 + 0.125 * s**3,
+                begin + speed * s + 0.4 * s**2,
+                lower,
+                upper,
+                -3,
+                -0.8,
+            )
+        assert row == pytest.approx(expected, abs=2e-7)
+
+
+@BOTH
+def test_a_block_on_a_belt_sticks_and_slips(compiled: bool) -> None:
+    """Beside friction without a jump, which is stiff and creeps by as little as its slope is steep."""
+    found = motion(BELT.replace("FRICTION", "c*sign(V - x')"), compiled=compiled)
+    beside = motion(BELT.replace("FRICTION", "c*tanh((V - x')/1e-7)"), compiled=True, method="radau5")
+    assert found.ended == beside.ended == "done"
+    assert (
+        sum("holds" in note for note in found.notes) >= 1 and sum("breaks loose" in note for note in found.notes) >= 1
+    )
+    for row, other in zip(found.rows, beside.rows, strict=True):
+        assert row == pytest.approx(other, abs=2e-6)
+
+
+def test_a_skate_that_brakes_stops_in_every_formulation() -> None:
+    """m v' = -c + m a th'^2 and (J + m a^2) th'' = -d - m a v th' until th' is held, then v."""
+    whole = [motion(SKATE, formulation=name) for name in ("chaplygin", "voronec", "multipliers", "euler-lagrange")]
+    for found in whole:
+        assert found.ended == "done" and len(found.notes) == 2
+        assert "`th'`" in found.notes[0] and "`x'*cos(th) + y'*sin(th)`" in found.notes[1]
+        assert found.rows[-1] == pytest.approx(whole[0].rows[-1], rel=1e-8)
+    stops = float(whole[0].notes[1].split()[3])
+    held = float(whole[0].notes[0].split()[3])
+    y, h = [2.0, 1.5], 1e-4  # by classical steps up to just before th' is held, then along a line
+    steps = int(held / h)
+
+    def slopes(v: float, w: float) -> tuple[float, float]:
+        return (0.1 * w**2 - 0.2, -(0.2 + 0.2 * v * w) / (0.3 + 0.02))
+
+    for _ in range(steps):
+        k1 = slopes(*y)
+        k2 = slopes(y[0] + h / 2 * k1[0], y[1] + h / 2 * k1[1])
+        k3 = slopes(y[0] + h / 2 * k2[0], y[1] + h / 2 * k2[1])
+        k4 = slopes(y[0] + h * k3[0], y[1] + h * k3[1])
+        y = [y[i] + h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]) for i in (0, 1)]
+    left = held - steps * h
+    v, w = (y[i] + left * slopes(*y)[i] for i in (0, 1))
+    assert w == pytest.approx(0.0, abs=1e-6)
+    assert stops == pytest.approx(held + v / 0.2, abs=1e-6)
+
+
+def test_a_user_ends_a_run_while_something_is_held() -> None:
+    found = motion(STACK, until="x - 0.01")
+    assert found.ended == "event" and found.rows[-1][1] == pytest.approx(0.01, abs=1e-9)
+    assert found.outcome.t == pytest.approx(2 + 0.12 ** (1 / 3), abs=1e-7)
+    assert motion(STACK, until="X' - x' - 0.1").outcome.t > 3.6
+
+
+@pytest.mark.parametrize(
+    ("force", "why"),
+    [
+        ("{x: -0.3*sign(x' + y')}", "a force on x alone does not act along x' + y'"),
+        ("{x: -0.3*sign(x'*(2 + y'^2) - x), y: 0.1}", "what is held is not linear in the velocities"),
+    ],
+)
+def test_what_is_no_friction_along_what_it_holds_ends_a_run(force: str, why: str) -> None:
+    text = (
+        f"nhc: 1\nsystem: other\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nforces: {force}\n"
+        "scenes: {a: {initial: {x': 1, y': -0.5}, time: [0, 9]}}\n"
+    )
+    found = motion(text)
+    assert found.ended == "failed" and "the motion is held where" in found.reason, why
+
+
+@BOTH
+def test_friction_by_the_normal_force_holds_by_what_that_is(compiled: bool) -> None:
+    """A bead on a hoop in a shaken plane: N = m (g cos(th) + R th'^2), and the plane breaks it loose again and again."""
+    text = (
+        "nhc: 1\nsystem: hoop\ncoordinates: [th]\nparameters: {m: 1, R: 0.5, g: 9.81, mu: 0.5, A: 6, w: 3}\n"
+        "T: m*R^2*th'^2/2\nV: -m*g*R*cos(th)\nforces: {th: A*R*m*sin(w*t) - mu*R*m*(g*cos(th) + R*th'^2)*FRICTION}\n"
+        "scenes: {a: {initial: {th: 0.4}, time: [0, 6], need: [th, th']}}\n"
+    )
+    found = motion(text.replace("FRICTION", "sign(th')"), compiled=compiled)
+    beside = motion(text.replace("FRICTION", "tanh(th'/1e-7)"), compiled=True, method="radau5")
+    assert found.ended == beside.ended == "done"
+    assert len(found.notes) >= 7 and "more times" in found.notes[-1]
+    for row, other in zip(found.rows, beside.rows, strict=True):
+        assert row == pytest.approx(other, abs=5e-6)
+
+
+def test_a_run_that_is_to_stay_in_its_formulation_ends_where_friction_sticks() -> None:
+    found = motion(THROWN, "throw", stay=True)
+    assert found.ended == "failed" and "the motion is held where `x' - r*th'` is zero" in found.reason
+
+
+def test_a_pendulum_with_dry_friction_comes_to_rest_beside_its_lowest_place() -> None:
+    """Each half swing loses 2 c/(m g l) of the amplitude where it is small; it rests where m g l sin(th) <= c."""
+    text = (
+        "nhc: 1\nsystem: rusty\ncoordinates: [th]\nparameters: {m: 1, l: 0.5, g: 9.81, c: 0.1}\nT: m*l^2*th'^2/2\n"
+        "V: -m*g*l*cos(th)\nforces: {th: -c*sign(th')}\nscenes: {a: {initial: {th: 0.5}, time: [0, 30], need: [th, th']}}\n"
+    )
+    found = motion(text)
+    assert found.ended == "done" and found.notes[-1].endswith("holds `th'` at zero")
+    th, speed = found.rows[-1]
+    assert abs(4.905 * math.sin(th)) <= 0.1 + 1e-9 and speed == 0.0
+    fine = motion(text, tolerance=1e-11)
+    assert th == pytest.approx(fine.rows[-1][0], abs=1e-7)
+    angle = 0.5  # turning points by energy: m g l (cos b - cos a) = c (a + b)
+    for _ in range(100):
+        if 4.905 * math.sin(angle) <= 0.1:
+            break
+        low, high = -angle, angle
+        for _ in range(200):
+            middle = 0.5 * (low + high)
+            loses = 4.905 * (math.cos(middle) - math.cos(angle)) > 0.1 * (angle + middle)
+            low, high = (middle, high) if loses else (low, middle)
+        angle = 0.5 * (low + high)
+    assert abs(th) == pytest.approx(abs(angle), abs=1e-6)
