@@ -264,8 +264,7 @@ class Lookout:
     dips: int
 
 
-CORNER = 0.0, 0.0
-"""Of an argument at whose zero steps end."""
+CORNER = 0.0, 0.0  # of an argument at whose zero steps end
 
 
 @record
@@ -273,7 +272,7 @@ class Leaps:
     """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments.
 
     ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much always; no part: a corner.
-    ``held``, of each: what it means that the motion cannot leave its zero; empty where it always can.
+    ``held``: what it means that the motion cannot leave its zero.
     """
 
     function: Function

@@ -14,22 +14,21 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import is_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.show import to_text
 from nhc.algebra.solving.linear import NotLinear, linear_form
 from nhc.diagnostics import SpecError
-from nhc.mechanics.choosing.choose import choose
+from nhc.mechanics.choosing.choose import Formulation, choose
+from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.system import Form, System
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.friction import Friction
-from nhc.program.runs.leaps import find_functions
+from nhc.program.runs.leaps import find_functions, name_argument
 from nhc.simulate.carrying import place_of
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.task import EVENT, Outcome
 
 TOLD = 6  # changes that are told one by one
-_WIDE = 60  # characters of a velocity that are shown
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the motion goes on
 
@@ -70,7 +69,9 @@ class Sticking:
             SpecError
         ):  # what is held follows from the constraints already, or the rest does not determine the motion
             return None
-        self._tell(f"from t = {outcome.t:.9g} on dry friction holds `{_describe(system, friction)}` at zero")
+        self._tell(
+            f"from t = {outcome.t:.9g} on dry friction holds `{name_argument(system, friction.function)}` at zero"
+        )
         return following
 
     def _list_frictions(self, job: Job, recipe: Recipe) -> list[Friction | None]:
@@ -90,7 +91,7 @@ class Sticking:
         if recipe is None or outcome.kind != EVENT or outcome.status < first or self.loose is None:
             return None
         self.released = recipe.frictions[outcome.status - first]
-        self._tell(f"at t = {outcome.t:.9g} `{_describe(job.system, self.released)}` breaks loose")
+        self._tell(f"at t = {outcome.t:.9g} `{name_argument(job.system, self.released.function)}` breaks loose")
         left = tuple(friction for friction in recipe.frictions if friction is not self.released)
         loose = self.loose.recipe
         return self._hold_by(self.loose, loose, left) if left and loose is not None else self.loose
@@ -125,15 +126,18 @@ class Sticking:
             system = job.system
             for friction in frictions[len(recipe.frictions) :]:
                 system = _held(system, friction)
-            formulation = choose(system)
+            formulation = _choose(system)
             whole = replace(recipe, equations=equations_of(system, formulation), frictions=frictions)
             self.held[key] = prepare(whole, formulation, job.start)
         return self.held[key]
 
 
-def _describe(system: System, friction: Friction) -> str:
-    """The velocity that friction holds at zero."""
-    return to_text(system.graph, system.graph.a[friction.function], _WIDE)
+def _choose(system: System) -> Formulation:
+    """The formulation that nhc chooses; quasi-velocities of the spec that are held are no choice any more."""
+    try:
+        return choose(system)
+    except NotApplicable:
+        return choose(replace(system, quasi=()))
 
 
 def _put_aside(job: Job, model: InterpretedModel, released: Friction, t: float, y: Sequence[float]) -> list[float]:

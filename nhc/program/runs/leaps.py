@@ -20,6 +20,7 @@ from nhc.algebra.show import to_text
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.regular.regularity import intervals
 from nhc.mechanics.rotations.turning import moving
+from nhc.mechanics.system import System
 from nhc.program.ir import CORNER, Leaps
 from nhc.program.planning.base import PlannerBase
 from nhc.program.runs.clock import CORNERS, HIGH, STEPS, list_reached
@@ -28,6 +29,7 @@ _GROWING = frozenset({"exp", "cosh", "sinh"})
 _STEEP = _GROWING | STEPS  # beyond their arguments' zeros they are known: 0, 1 or negligible
 _RELATIVE = frozenset({"sqrt", "powf", "log", POW})
 _WIDE = 60  # characters of an argument that are shown
+_RATE = "_dot"  # at the end of a label, after a definition's name: of its rate
 _LARGE = 1000  # operations beyond which an argument is not followed
 _MILD = 100.0  # how many times its least value an argument may be that has no narrow place
 _TURN = 0.0, 1.0  # of the half turn at which an angle of two lengths jumps, on one side of its argument's zero
@@ -56,7 +58,7 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
         return None
     nodes = [node for node, _ in found]
     function = planner.lower_out("places", "arguments that a step must not leap over", nodes)
-    told = [_tell_held(planner.graph, source) if part == CORNER else "" for (_, part), source in found.items()]
+    told = [_tell_held(planner.system, source) if part == CORNER else "" for (_, part), source in found.items()]
     return Leaps(function, tuple(part for _, part in found), tuple(told))
 
 
@@ -102,10 +104,21 @@ def _argument(graph: Graph, node: Node) -> Node:
     return graph.sub(graph.a[node], graph.b[node]) if graph.op[node] in ("min", "max") else graph.a[node]
 
 
-def _tell_held(graph: Graph, function: Node) -> str:
+def name_argument(system: System, function: Node) -> str:
+    """The argument of a function in the spec's words: a velocity's name, a definition's, or what it is."""
+    g, node = system.graph, _argument(system.graph, function)
+    named = {form.value: form.name for form in system.quasi}
+    for rotation, spec in zip(system.rotations, system.spec.rotations, strict=True):
+        named |= dict(zip(rotation.omega, spec.velocities, strict=True))
+    name = named.get(node, g.labels.get(node, ""))
+    if name.endswith(_RATE) and name.removesuffix(_RATE) in g.labels.values():
+        return f"{name.removesuffix(_RATE)}'"
+    return name or to_text(g, node, _WIDE)
+
+
+def _tell_held(system: System, function: Node) -> str:
     """What it means that the motion cannot leave the zero of a function's argument."""
-    text = to_text(graph, _argument(graph, function))
-    where = f"`{text}` is zero" if len(text) <= _WIDE else f"the argument of a `{graph.op[function]}` is zero"
+    where = f"`{name_argument(system, function)}` is zero"
     return (
         f"the motion is held where {where}, as dry friction holds what sticks: the forces jump there, and drive it back from "
         "either side. `nhc run` goes on where the force acts along what it holds; else `tanh(v/eps)` in place of `sign(v)` does, "
