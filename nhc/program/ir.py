@@ -269,10 +269,9 @@ CORNER = 0.0, 0.0  # of an argument at whose zero steps end
 
 @record
 class Leaps:
-    """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments.
+    """What a step must not leap over (:mod:`nhc.program.runs.leaps`): ``function`` gives arguments; ``held``: that they stay zero.
 
     ``parts``, of each: the part of it by which it may change in a step towards zero, and by how much always; no part: a corner.
-    ``held``: what it means that the motion cannot leave its zero.
     """
 
     function: Function
