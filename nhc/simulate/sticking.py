@@ -8,13 +8,16 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from math import copysign
 
+from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.exact.modular import is_zero
+from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import NotLinear, linear_form
+from nhc.algebra.walks import count, reachable
 from nhc.diagnostics import SpecError
 from nhc.mechanics.choosing.choose import Formulation, choose
 from nhc.mechanics.choosing.refusal import NotApplicable
@@ -23,12 +26,13 @@ from nhc.mechanics.system import Form, System
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.friction import Friction
 from nhc.program.runs.leaps import find_functions, name_argument
-from nhc.simulate.carrying import place_of
+from nhc.simulate.carrying import carry, place_of
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.task import EVENT, Outcome
 
 TOLD = 6  # changes that are told one by one
+_TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the motion goes on
 
@@ -47,7 +51,7 @@ class Sticking:
     released: Friction | None = None
     times: list[float] = field(default_factory=list)
     _frictions: list[tuple[Job, list[Friction | None]]] = field(default_factory=list)
-    _sides: list[tuple[Job, InterpretedModel]] = field(default_factory=list)
+    _models: list[tuple[Job, str, InterpretedModel]] = field(default_factory=list)
 
     def hold(self, job: Job, outcome: Outcome) -> Job | None:
         """The job that goes on from where a motion is held at a jump of the forces; None where that is no dry friction that acts
@@ -66,8 +70,12 @@ class Sticking:
         try:
             following = self._hold_by(job, recipe, (*recipe.frictions, friction))
         except (
-            SpecError
-        ):  # what is held follows from the constraints already, or the rest does not determine the motion
+            NotApplicable,
+            Singular,
+            SpecError,
+        ):  # it follows from the constraints, or the rest does not tell the motion
+            return None
+        if not self._is_enough(following, outcome.t, carry(job, following, outcome)):
             return None
         self._tell(
             f"from t = {outcome.t:.9g} on dry friction holds `{name_argument(system, friction.function)}` at zero"
@@ -96,19 +104,26 @@ class Sticking:
         loose = self.loose.recipe
         return self._hold_by(self.loose, loose, left) if left and loose is not None else self.loose
 
+    def _is_enough(self, job: Job, t: float, y: Sequence[float]) -> bool:
+        """Whether the frictions that hold are as large as they have to be: two along one velocity hold more than each of them."""
+        assert job.recipe is not None
+        first = 0 if job.recipe.event is None else 1
+        values = self._model(job, "watch").watch(t, y, job.p)
+        return all(value > 0.0 for value in values[first : first + len(job.recipe.frictions)])
+
     def let_go(self, job: Job, t: float, y: Sequence[float]) -> Sequence[float]:
         """The state of a job that a run goes on with: a little beside the jump, where one was released."""
         released, self.released = self.released, None
-        return y if released is None else _put_aside(job, self._side(job), released, t, y)
+        return y if released is None else _put_aside(job, self._model(job, "rhs"), released, t, y)
 
-    def _side(self, job: Job) -> InterpretedModel:
-        """The right-hand side of a job, for the side that a motion leaves to."""
-        for owner, model in self._sides:
-            if owner is job:
+    def _model(self, job: Job, name: str) -> InterpretedModel:
+        """One function of a job, for single calls."""
+        for owner, known, model in self._models:
+            if owner is job and known == name:
                 return model
-        functions = tuple(function for function in job.program.functions if function.name == "rhs")
-        self._sides.append((job, InterpretedModel(replace(job.program, functions=functions), 0)))
-        return self._sides[-1][1]
+        functions = tuple(function for function in job.program.functions if function.name == name)
+        self._models.append((job, name, InterpretedModel(replace(job.program, functions=functions), job.events)))
+        return self._models[-1][2]
 
     def _tell(self, line: str) -> None:
         self.changes += 1
@@ -143,30 +158,26 @@ def _choose(system: System) -> Formulation:
 def _put_aside(job: Job, model: InterpretedModel, released: Friction, t: float, y: Sequence[float]) -> list[float]:
     """The state of ``job``, in which the friction holds no longer, a little to the side that the forces drive it to."""
     assert job.recipe is not None
-    n, motion, g = job.system.n, job.recipe.equations.motion, job.system.graph
-    on = dict(zip(job.system.v, motion.velocities, strict=True))
-    (slip,) = substitute(g, [g.a[released.function]], on)
+    system, motion, g = job.system, job.recipe.equations.motion, job.system.graph
+    (slip,) = substitute(g, [g.a[released.function]], dict(zip(system.v, motion.velocities, strict=True)))
+    state = (*system.q, *motion.w)
+    slopes = gradient(g, slip, (system.t, *state))
 
-    def find_slip(t: float, y: Sequence[float]) -> float:
-        place = {job.system.t: t, **dict(zip((*job.system.p, *job.system.q, *motion.w), (*job.p, *y), strict=True))}
-        return float(evaluate(g, [slip], place)[0])
+    def evaluate_at(nodes: Sequence[Node], y: Sequence[float]) -> list[float]:
+        place = {system.t: t, **dict(zip((*system.p, *state), (*job.p, *y), strict=True))}
+        return [float(value) for value in evaluate(g, nodes, place)]
 
-    size = max(map(abs, y), default=0.0) or 1.0
-    begin, moves = find_slip(t, y), list[float]()
-    for k in range(n, len(y)):
-        moved = [*y[:k], y[k] + size, *y[k + 1 :]]
-        moves.append((find_slip(t, moved) - begin) / size)  # it is linear in velocities
+    begin, *moves = evaluate_at([slip, *slopes[1 + system.n :]], y)  # it is linear in velocities
     fastest = max(range(len(moves)), key=lambda k: abs(moves[k]))
-    best, rates = list(y), list[float]()
+    size = max(map(abs, y), default=0.0) or 1.0
+    sides = list[tuple[float, list[float]]]()
     for sign in (1.0, -1.0):
         aside = list(y)
-        aside[n + fastest] += (copysign(_ASIDE * size * abs(moves[fastest]), sign) - begin) / moves[fastest]
-        h = 1e-6
-        later = [a + h * b for a, b in zip(aside, model.rhs(t, aside, job.p), strict=True)]
-        rates.append(sign * (find_slip(t + h, later) - find_slip(t, aside)))
-        if rates[-1] == max(rates):
-            best = aside
-    return best
+        aside[system.n + fastest] += (sign * _ASIDE * size * abs(moves[fastest]) - begin) / moves[fastest]
+        along, *rates = evaluate_at(slopes, aside)
+        rate = along + sum(a * b for a, b in zip(rates, model.rhs(t, aside, job.p), strict=True))
+        sides.append((sign * rate, aside))
+    return max(sides)[1]
 
 
 def _find_friction(system: System, function: Node) -> Friction | None:
@@ -179,30 +190,38 @@ def _find_friction(system: System, function: Node) -> Friction | None:
         coefficients, constant = linear_form(g, slip, system.v)
     except NotLinear:
         return None
-    ahead, behind = (_with(system, function, g.number(sign)) for sign in (1, -1))
-    jump = [g.mul(g.number(Fraction(1, 2)), g.sub(a, b)) for a, b in zip(ahead, behind, strict=True)]
-    first = next((i for i, c in enumerate(coefficients) if not is_zero(g, c)), None)
-    if first is None or any(
-        not is_zero(g, g.sub(g.mul(jump[i], coefficients[first]), g.mul(jump[first], c)))
-        for i, c in enumerate(coefficients)
-    ):
+    elsewhere = [system.T, system.U, *(x for form in system.constraints for x in (*form.coefficients, form.constant))]
+    if function in reachable(g, elsewhere):
         return None
-    size = g.neg(g.div(jump[first], coefficients[first]))
+    ahead, behind, still = (_with(system, function, g.number(sign)) for sign in (1, -1, 0))
+    jumps = [g.sub(a, b) for a, b in zip(ahead, behind, strict=True)]  # -2 c dv/dq'
+    sums = [g.sub(g.add(a, b), g.add(c, c)) for a, b, c in zip(ahead, behind, still, strict=True)]
+    square = g.dot(coefficients, coefficients)
+    if not all(are_zero(g, sums)) or is_zero(g, square):
+        return None
+    single = [g.div(jump, a) for jump, a in zip(jumps, coefficients, strict=True) if not is_zero(g, a)]
+    ratios = [normalise(g, ratio, _TERMS) for ratio in (g.div(g.dot(jumps, coefficients), square), *single)]
+    whole = min(ratios, key=lambda ratio: count(g, [ratio]))  # what is longer may have a zero of its own below its line
+    if not all(are_zero(g, [g.sub(jump, g.mul(whole, a)) for jump, a in zip(jumps, coefficients, strict=True)])):
+        return None
+    size = g.mul(g.number(Fraction(-1, 2)), whole)
     form = Form(f"held{function}", coefficients, constant, "", None, slip)
     return Friction(function, form, size, g.symbol(f"friction {function}", "friction"))
 
 
 def _with(system: System, function: Node, value: Node) -> list[Node]:
-    """Q with a value in place of sign(v), and its negative in place of sign(-v)."""
+    """Q with a value in place of sign(v)."""
     return substitute(system.graph, system.Q, _in_place(system, function, value))
 
 
 def _in_place(system: System, function: Node, value: Node) -> dict[Node, Node]:
-    g = system.graph
-    found = {function: value}
-    opposite = g.function("sign", g.neg(g.a[function]))
-    if g.op[opposite] == "sign":
-        found.setdefault(opposite, g.neg(value))
+    """A value in place of sign(v), and what follows from that of sign(k v) with a number k."""
+    g, found = system.graph, {function: value}
+    for node in reachable(g, system.Q):
+        if g.op[node] == "sign" and node != function:
+            ratio = g.value(normalise(g, g.div(g.a[node], g.a[function]), _TERMS))
+            if ratio is not None:
+                found[node] = value if ratio > 0 else g.neg(value)
     return found
 
 

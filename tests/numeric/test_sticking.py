@@ -230,6 +230,21 @@ scenes: {a: {initial: {wx: 0.1, wy: 0.05, wz: 0.5}, time: [0, 8], need: [wx, wy,
     assert held.rows[-1] == pytest.approx(other.rows[-1], rel=1e-8)
 
 
+def test_frictions_along_one_velocity_add_up() -> None:
+    """1 - 0.7 + 0.5 hold until t = 0.8; where a constraint ties two velocities, what each of them gives is not known: that is said."""
+    text = (
+        "nhc: 1\nsystem: several\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nTIED"
+        "forces: FORCES\nscenes: {a: {time: [0, 3], need: [x, x']}}\n"
+    )
+    found = motion(text.replace("TIED", "").replace("FORCES", "{x: t - sign(x') - 0.7*sign(-2*x') - 0.5*sign(3*x')}"))
+    assert found.ended == "done" and "at t = 0.8 " in found.notes[1]
+    assert found.rows[-1][1] == pytest.approx(2.2**2 / 2, rel=1e-7)
+    tied = text.replace("TIED", "constraints: [x' = 2*y']\n").replace("FORCES", "{x: t - sign(x'), y: -0.7*sign(y')}")
+    found = motion(tied)
+    assert found.ended == "failed" and "held where `x'` is zero" in found.reason
+    assert found.outcome.t == pytest.approx(1.0, abs=1e-6) and found.rows[-1] == pytest.approx((0.0, 0.0), abs=1e-9)
+
+
 def test_a_run_that_is_to_stay_in_its_formulation_ends_where_friction_sticks() -> None:
     found = motion(THROWN, "throw", stay=True)
     assert found.ended == "failed" and "the motion is held where `slip` is zero" in found.reason
