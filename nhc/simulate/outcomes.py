@@ -102,8 +102,14 @@ def is_for_frame(job: Job, outcome: Outcome) -> bool:
 
 
 def _why_held(job: Job, outcome: Outcome) -> str:
+    """What the model says of the argument at whose jump the motion is held; with none, a friction that held has to let go."""
     leaps = job.program.driving.leaps
-    return leaps.held[outcome.status] if outcome.kind == HELD and leaps is not None else ""
+    if outcome.kind == HELD and leaps is not None and outcome.status >= 0:
+        return leaps.held[outcome.status]
+    return (
+        "dry friction has to let go, and no way to go on agrees with itself: where velocities that follow from each other are held "
+        "together, the equations do not tell how much each friction gives; `tanh(v/eps)` in place of `sign(v)` does"
+    )
 
 
 def _why_singular(job: Job, outcome: Outcome) -> str:

@@ -5,146 +5,242 @@ See :mod:`nhc.program.runs.friction` for the mechanics.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
+from itertools import combinations, product
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.exact.modular import are_zero, is_zero
-from nhc.algebra.graph import Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.exact.modular import rank
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.solving.linear import NotLinear, linear_form
-from nhc.algebra.walks import count, reachable
 from nhc.diagnostics import SpecError
 from nhc.mechanics.choosing.choose import Formulation, choose
 from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import System
 from nhc.program.planning.planner import Planner
-from nhc.program.runs.friction import Friction
+from nhc.program.runs.friction import Friction, find_friction, hold, let_idle
 from nhc.program.runs.leaps import find_functions, name_argument
 from nhc.simulate.carrying import carry, place_of
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job, Recipe, prepare
-from nhc.simulate.task import EVENT, Outcome
+from nhc.simulate.task import EVENT, HELD, Outcome
 
 TOLD = 6  # changes that are told one by one
-_TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the motion goes on
+_NEAR = 1e-9  # of the largest velocity: slower, a body is at rest
+_TOGETHER = 4  # bodies that come to rest at one time: there are sixteen ways to go on
+_DEPENDENT = 1e-12  # of its square, what is left of a row
+_SLIGHT = 1e-6  # of the largest rate: what a rate may be by rounding
+
+Slip = tuple[float, list[float], list[float]]
+"""What a friction may hold, its slopes by time and positions, and those by the velocities that a job keeps."""
+
+
+@dataclass
+class _Cast:
+    """What is asked of a job at single states."""
+
+    job: Job
+    functions: list[Node] = field(default_factory=list)
+    models: dict[str, InterpretedModel] = field(default_factory=dict)
+    slips: dict[Node, list[Node]] = field(default_factory=dict)
 
 
 @dataclass
 class Sticking:
-    """What dry friction holds in a run: ``loose`` is the job in which nothing is held, ``held`` are those in which something is.
-
-    ``tell`` is told the first of the changes, ``changes`` counts them.
+    """What dry friction holds in a run: ``loose`` is the job in which nothing is held, ``held`` are those in which something is, by
+    what that is.  ``tell`` is told the first of the changes, ``changes`` counts them; ``speed`` is the largest so far.
     """
 
     tell: Callable[[str], None]
     changes: int = 0
     loose: Job | None = None
-    held: dict[tuple[Node, ...], Job] = field(default_factory=dict)
-    released: Friction | None = None
+    held: dict[tuple[Node, ...], Job | None] = field(default_factory=dict)
     times: list[float] = field(default_factory=list)
-    _frictions: list[tuple[Job, list[Friction | None]]] = field(default_factory=list)
-    _models: list[tuple[Job, str, InterpretedModel]] = field(default_factory=list)
+    speed: float = 0.0
+    _frictions: dict[Node, Friction | None] = field(default_factory=dict)
+    _casts: list[_Cast] = field(default_factory=list)
 
-    def hold(self, job: Job, outcome: Outcome) -> Job | None:
-        """The job that goes on from where a motion is held at a jump of the forces; None where that is no dry friction that acts
-        along what it holds, or the run does not get on.
+    def follow(self, job: Job, outcome: Outcome) -> tuple[Job, list[float]] | None:
+        """The job and its state that a run goes on with where friction begins to hold or breaks loose.
+
+        None elsewhere, and where what holds is no dry friction that acts along what it holds, or the run does not get on.
         """
-        recipe, system = job.recipe, job.system
-        assert recipe is not None
-        self.times.append(outcome.t)
-        if self.times[:-_MOST] and abs(self.times[-_MOST] - outcome.t) <= _NOTHING * abs(job.time[1] - job.time[0]):
-            return None
-        friction, place = self._list_frictions(job, recipe)[outcome.status], place_of(job, recipe, outcome)
-        if friction is None or place is None or not _value(system, friction.size, place) > 0.0:
-            return None
-        if not recipe.frictions and job is not self.loose:
-            self.loose, self.held = job, {}
-        try:
-            following = self._hold_by(job, recipe, (*recipe.frictions, friction))
-        except (
-            NotApplicable,
-            Singular,
-            SpecError,
-        ):  # it follows from the constraints, or the rest does not tell the motion
-            return None
-        if not self._is_enough(following, outcome.t, carry(job, following, outcome)):
-            return None
-        self._tell(
-            f"from t = {outcome.t:.9g} on dry friction holds `{name_argument(system, friction.function)}` at zero"
-        )
-        return following
-
-    def _list_frictions(self, job: Job, recipe: Recipe) -> list[Friction | None]:
-        """By the arguments of a job's steps (:func:`nhc.program.runs.leaps.find_functions`)."""
-        for owner, known in self._frictions:
-            if owner is job:
-                return known
-        values = {symbol: (value, value) for symbol, value in zip(job.system.p, job.p, strict=True)}
-        functions = find_functions(Planner(recipe.equations, job.formulation), values)
-        self._frictions.append((job, [_find_friction(job.system, function) for function in functions.values()]))
-        return self._frictions[-1][1]
-
-    def release(self, job: Job, outcome: Outcome) -> Job | None:
-        """The job that goes on from where a friction that held has become as large as it can be; None where none has."""
         recipe = job.recipe
         first = 0 if recipe is None or recipe.event is None else 1
-        if recipe is None or outcome.kind != EVENT or outcome.status < first or self.loose is None:
+        if recipe is None or not (outcome.kind == HELD or (outcome.kind == EVENT and outcome.status >= first)):
             return None
-        self.released = recipe.frictions[outcome.status - first]
-        self._tell(f"at t = {outcome.t:.9g} `{name_argument(job.system, self.released.function)}` breaks loose")
-        left = tuple(friction for friction in recipe.frictions if friction is not self.released)
-        loose = self.loose.recipe
-        return self._hold_by(self.loose, loose, left) if left and loose is not None else self.loose
+        if not recipe.frictions and job is not self.loose:
+            self.loose, self.held, self._frictions, self._casts = job, {}, {}, []
+        released = recipe.frictions[outcome.status - first] if outcome.kind == EVENT else None
+        held = None if released is not None else self._friction_of(self._functions(job)[outcome.status])
+        if (held is None and released is None) or not self._gets_on(job, outcome.t):
+            return None
+        wanted = [friction for friction in recipe.frictions if friction is not released]
+        found = self._settle(job, recipe, outcome, (*wanted, held) if held is not None else tuple(wanted))
+        if found is not None and found[0].recipe is not None:
+            self._tell_changes(job.system, outcome.t, recipe.frictions, found[0].recipe.frictions)
+        return found
+
+    def _gets_on(self, job: Job, t: float) -> bool:
+        self.times.append(t)
+        return len(self.times) <= _MOST or abs(self.times[-_MOST - 1] - t) > _NOTHING * abs(job.time[1] - job.time[0])
+
+    def _tell_changes(self, system: System, t: float, before: Sequence[Friction], after: Sequence[Friction]) -> None:
+        lines = [
+            f"at t = {t:.9g} `{name_argument(system, friction.function)}` breaks loose"
+            for friction in before
+            if friction not in after
+        ]
+        lines += [
+            f"from t = {t:.9g} on dry friction holds `{name_argument(system, friction.function)}` at zero"
+            for friction in after
+            if friction not in before
+        ]
+        for line in lines:
+            self.changes += 1
+            if self.changes <= TOLD:
+                self.tell(line)
+
+    # --- what holds, and what does not ----------------------------------------------------------------------------------
+
+    def _settle(
+        self, job: Job, recipe: Recipe, outcome: Outcome, wanted: tuple[Friction, ...]
+    ) -> tuple[Job, list[float]] | None:
+        """The first of the ways to go on that agrees with itself: what is held needs no more than its friction, the rest leaves.
+
+        What comes to rest at the same time may be held or not; the more is held, the sooner it is tried.
+        """
+        assert self.loose is not None
+        place = place_of(job, recipe, outcome)
+        if place is None:
+            return None
+        g, frictions = job.system.graph, [self._friction_of(function) for function in self._functions(self.loose)]
+        fastest = max((*map(abs, outcome.sizes[job.system.n :]), *(abs(place[v]) for v in job.system.v)), default=0.0)
+        self.speed = max(self.speed, fastest)
+        near = [
+            friction
+            for friction in frictions
+            if friction is not None
+            and _value(g, friction.size, place) > 0.0
+            and (friction in wanted or friction in recipe.frictions or _is_still(g, friction, place, self.speed))
+        ]
+        if not all(friction in near for friction in wanted) or len(near) > _TOGETHER + len(wanted):
+            return None
+        for held in dict.fromkeys((wanted, *_list_choices(near))):
+            others = [friction for friction in near if friction not in held]
+            following = self._hold_by(held)
+            y = None if following is None else self._begin(following, job, outcome, others)
+            if following is not None and y is not None:
+                return following, y
+        return None
+
+    def _begin(self, following: Job, job: Job, outcome: Outcome, others: Sequence[Friction]) -> list[float] | None:
+        """The state of a job with all ``others`` a little beside their jumps, on the sides that forces drive them to.
+
+        None where they drive them back, or what it holds would break loose at once.
+        """
+        t, y = outcome.t, carry(job, following, outcome)
+        slopes = [row for row in (self._slopes(following, friction, t, y) for friction in others) if any(row[2])]
+        best, least, most = None, 0.0, 0.0
+        for sides in product((1.0, -1.0), repeat=len(slopes)):
+            aside = _put_aside(y, following.system.n, slopes, sides)
+            if aside is None or not self._is_enough(following, t, aside):
+                continue
+            rhs = self._model(following, "rhs").rhs(t, aside, following.p) if slopes else []
+            rates = [
+                side * (along + sum(a * b for a, b in zip((*left, *right), rhs, strict=True)))
+                for side, (_, (along, *left), right) in zip(sides, slopes, strict=True)
+            ]
+            most = max([most, *map(abs, rates)])
+            if best is None or min(rates, default=0.0) > least:
+                best, least = aside, min(rates, default=0.0)
+        return best if least >= -_SLIGHT * most else None
+
+    def _slopes(self, job: Job, friction: Friction, t: float, y: Sequence[float]) -> Slip:
+        assert job.recipe is not None
+        system, motion, g = job.system, job.recipe.equations.motion, job.system.graph
+        state, known = (*system.q, *motion.w), self._cast(job).slips
+        if friction.function not in known:
+            on = dict(zip(system.v, motion.velocities, strict=True))
+            (slip,) = substitute(g, [g.a[friction.function]], on)
+            known[friction.function] = [slip, *gradient(g, slip, (system.t, *state))]
+        place = {system.t: t, **dict(zip((*system.p, *state), (*job.p, *y), strict=True))}
+        value, *slopes = (float(x) for x in evaluate(g, known[friction.function], place))
+        return value, slopes[: system.n + 1], slopes[system.n + 1 :]
 
     def _is_enough(self, job: Job, t: float, y: Sequence[float]) -> bool:
-        """Whether the frictions that hold are as large as they have to be: two along one velocity hold more than each of them."""
+        """Whether the frictions that hold are as large as they have to be."""
         assert job.recipe is not None
         first = 0 if job.recipe.event is None else 1
+        if not job.recipe.frictions:
+            return True
         values = self._model(job, "watch").watch(t, y, job.p)
         return all(value > 0.0 for value in values[first : first + len(job.recipe.frictions)])
 
-    def let_go(self, job: Job, t: float, y: Sequence[float]) -> Sequence[float]:
-        """The state of a job that a run goes on with: a little beside the jump, where one was released."""
-        released, self.released = self.released, None
-        return y if released is None else _put_aside(job, self._model(job, "rhs"), released, t, y)
+    # --- what is made once ----------------------------------------------------------------------------------------------
+
+    def _hold_by(self, frictions: tuple[Friction, ...]) -> Job | None:
+        """The job in which these hold; None where they follow from the constraints or from each other, or the rest does not tell
+        the motion.
+        """
+        assert self.loose is not None and self.loose.recipe is not None
+        if not frictions:
+            return self.loose
+        key = tuple(friction.function for friction in frictions)
+        if key not in self.held:
+            try:
+                self.held[key] = _make_held(self.loose, self.loose.recipe, frictions)
+            except (NotApplicable, Singular, SpecError):
+                self.held[key] = None
+        return self.held[key]
+
+    def _cast(self, job: Job) -> _Cast:
+        for cast in self._casts:
+            if cast.job is job:
+                return cast
+        self._casts.append(_Cast(job))
+        return self._casts[-1]
+
+    def _functions(self, job: Job) -> list[Node]:
+        """Those of the arguments of a job's steps."""
+        cast = self._cast(job)
+        if not cast.functions and job.recipe is not None:
+            values = {symbol: (value, value) for symbol, value in zip(job.system.p, job.p, strict=True)}
+            cast.functions = [*find_functions(Planner(job.recipe.equations, job.formulation), values).values()]
+        return cast.functions
+
+    def _friction_of(self, function: Node) -> Friction | None:
+        assert self.loose is not None
+        if function not in self._frictions:
+            self._frictions[function] = find_friction(self.loose.system, function)
+        return self._frictions[function]
 
     def _model(self, job: Job, name: str) -> InterpretedModel:
         """One function of a job, for single calls."""
-        for owner, known, model in self._models:
-            if owner is job and known == name:
-                return model
-        functions = tuple(function for function in job.program.functions if function.name == name)
-        self._models.append((job, name, InterpretedModel(replace(job.program, functions=functions), job.events)))
-        return self._models[-1][2]
+        models = self._cast(job).models
+        if name not in models:
+            functions = tuple(function for function in job.program.functions if function.name == name)
+            models[name] = InterpretedModel(replace(job.program, functions=functions), job.events)
+        return models[name]
 
-    def _tell(self, line: str) -> None:
-        self.changes += 1
-        if self.changes <= TOLD:
-            self.tell(line)
 
-    def _hold_by(self, job: Job, recipe: Recipe, frictions: tuple[Friction, ...]) -> Job:
-        """The job in which these hold, those of the job's own recipe first.
-
-        Raises:
-            nhc.diagnostics.SpecError: the motion is not determined then.
-        """
-        key = tuple(friction.function for friction in frictions)
-        if key not in self.held:
-            system = job.system
-            for friction in frictions[len(recipe.frictions) :]:
-                system = _held(system, friction)
-            formulation = _choose(system)
-            whole = replace(recipe, equations=equations_of(system, formulation), frictions=frictions)
-            self.held[key] = prepare(whole, formulation, job.start)
-        return self.held[key]
+def _make_held(loose: Job, recipe: Recipe, frictions: tuple[Friction, ...]) -> Job:
+    system = loose.system
+    for friction in frictions:
+        system = hold(system, friction)
+    if rank(system.graph, [form.coefficients for form in system.constraints]) < system.l:
+        raise Singular
+    formulation = _choose(system)
+    equations = equations_of(system, formulation)
+    without = let_idle(equations)
+    if without is not None:
+        equations = equations_of(without, formulation)
+    return prepare(replace(recipe, equations=equations, frictions=frictions), formulation, loose.start)
 
 
 def _choose(system: System) -> Formulation:
@@ -155,97 +251,51 @@ def _choose(system: System) -> Formulation:
         return choose(replace(system, quasi=()))
 
 
-def _put_aside(job: Job, model: InterpretedModel, released: Friction, t: float, y: Sequence[float]) -> list[float]:
-    """The state of ``job``, in which the friction holds no longer, a little to the side that the forces drive it to."""
-    assert job.recipe is not None
-    system, motion, g = job.system, job.recipe.equations.motion, job.system.graph
-    (slip,) = substitute(g, [g.a[released.function]], dict(zip(system.v, motion.velocities, strict=True)))
-    state = (*system.q, *motion.w)
-    slopes = gradient(g, slip, (system.t, *state))
-
-    def evaluate_at(nodes: Sequence[Node], y: Sequence[float]) -> list[float]:
-        place = {system.t: t, **dict(zip((*system.p, *state), (*job.p, *y), strict=True))}
-        return [float(value) for value in evaluate(g, nodes, place)]
-
-    begin, *moves = evaluate_at([slip, *slopes[1 + system.n :]], y)  # it is linear in velocities
-    fastest = max(range(len(moves)), key=lambda k: abs(moves[k]))
-    size = max(map(abs, y), default=0.0) or 1.0
-    sides = list[tuple[float, list[float]]]()
-    for sign in (1.0, -1.0):
-        aside = list(y)
-        aside[system.n + fastest] += (sign * _ASIDE * size * abs(moves[fastest]) - begin) / moves[fastest]
-        along, *rates = evaluate_at(slopes, aside)
-        rate = along + sum(a * b for a, b in zip(rates, model.rhs(t, aside, job.p), strict=True))
-        sides.append((sign * rate, aside))
-    return max(sides)[1]
+def _list_choices(near: Sequence[Friction]) -> Iterator[tuple[Friction, ...]]:
+    for size in range(len(near), -1, -1):
+        yield from combinations(near, size)
 
 
-def _find_friction(system: System, function: Node) -> Friction | None:
-    """sign(v) as a constraint v = 0, with the force that it is worth along that; None where it is none."""
-    g = system.graph
-    if g.op[function] != "sign":
-        return None
-    slip = g.a[function]
+def _put_aside(y: Sequence[float], n: int, slopes: Sequence[Slip], sides: Sequence[float]) -> list[float] | None:
+    """A state near by with each slip on its side; None where there is none.
+
+    What follows from others is on one side or the other by how far these are from their jumps.
+    """
+    size = _ASIDE * (max(map(abs, y), default=0.0) or 1.0)
+    for lengths in product((1.0, 3.0), repeat=len(slopes)):
+        aims = [side * length * size for side, length in zip(sides, lengths, strict=True)]
+        w = _reach(y[n:], slopes, aims)
+        if w is not None:
+            return [*y[:n], *w]
+    return None
+
+
+def _reach(begin: Sequence[float], slopes: Sequence[Slip], aims: Sequence[float]) -> list[float] | None:
+    """Velocities at which each slip is its aim times the largest of its slopes, or has that sign where it follows from others."""
+    w, basis = list(begin), list[list[float]]()
+    for aim, (slip, _, by) in zip(aims, slopes, strict=True):
+        left = list(by)
+        for one in basis:
+            part = sum(a * b for a, b in zip(left, one, strict=True))
+            left = [a - part * b for a, b in zip(left, one, strict=True)]
+        square = sum(a * a for a in left)
+        now = slip + sum(a * (b - c) for a, b, c in zip(by, w, begin, strict=True))
+        if square > _DEPENDENT * sum(a * a for a in by):
+            step = (aim * max(map(abs, by)) - now) / square
+            w = [a + step * b for a, b in zip(w, left, strict=True)]
+            basis.append([a / square**0.5 for a in left])
+        elif not aim * now > 0.0:
+            return None
+    return w
+
+
+def _is_still(graph: Graph, friction: Friction, place: Mapping[Node, float], speed: float) -> bool:
+    return abs(_value(graph, graph.a[friction.function], place)) <= _NEAR * speed
+
+
+def _value(graph: Graph, node: Node, place: Mapping[Node, float]) -> float:
+    """The node's value; none is no number."""
     try:
-        coefficients, constant = linear_form(g, slip, system.v)
-    except NotLinear:
-        return None
-    elsewhere = [system.T, system.U, *(x for form in system.constraints for x in (*form.coefficients, form.constant))]
-    if function in reachable(g, elsewhere):
-        return None
-    ahead, behind, still = (_with(system, function, g.number(sign)) for sign in (1, -1, 0))
-    jumps = [g.sub(a, b) for a, b in zip(ahead, behind, strict=True)]  # -2 c dv/dq'
-    sums = [g.sub(g.add(a, b), g.add(c, c)) for a, b, c in zip(ahead, behind, still, strict=True)]
-    square = g.dot(coefficients, coefficients)
-    if not all(are_zero(g, sums)) or is_zero(g, square):
-        return None
-    single = [g.div(jump, a) for jump, a in zip(jumps, coefficients, strict=True) if not is_zero(g, a)]
-    ratios = [normalise(g, ratio, _TERMS) for ratio in (g.div(g.dot(jumps, coefficients), square), *single)]
-    whole = min(ratios, key=lambda ratio: count(g, [ratio]))  # what is longer may have a zero of its own below its line
-    if not all(are_zero(g, [g.sub(jump, g.mul(whole, a)) for jump, a in zip(jumps, coefficients, strict=True)])):
-        return None
-    size = g.mul(g.number(Fraction(-1, 2)), whole)
-    form = Form(f"held{function}", coefficients, constant, "", None, slip)
-    return Friction(function, form, size, g.symbol(f"friction {function}", "friction"))
-
-
-def _with(system: System, function: Node, value: Node) -> list[Node]:
-    """Q with a value in place of sign(v)."""
-    return substitute(system.graph, system.Q, _in_place(system, function, value))
-
-
-def _in_place(system: System, function: Node, value: Node) -> dict[Node, Node]:
-    """A value in place of sign(v), and what follows from that of sign(k v) with a number k."""
-    g, found = system.graph, {function: value}
-    for node in reachable(g, system.Q):
-        if g.op[node] == "sign" and node != function:
-            ratio = g.value(normalise(g, g.div(g.a[node], g.a[function]), _TERMS))
-            if ratio is not None:
-                found[node] = value if ratio > 0 else g.neg(value)
-    return found
-
-
-def _held(system: System, friction: Friction) -> System:
-    """The system with v = 0, and without sign(v) in its forces."""
-    g = system.graph
-    out = _in_place(system, friction.function, g.zero)
-    told = substitute(g, [node for _, node in system.outputs], _in_place(system, friction.function, friction.value))
-    names = [name for name, _ in system.outputs]
-    torques = [tuple(substitute(g, three, out)) for three in system.torques]
-    return replace(
-        system,
-        Q=tuple(substitute(g, system.Q, out)),
-        torques=tuple((a, b, c) for a, b, c in torques),
-        constraints=(*system.constraints, friction.form),
-        outputs=tuple(zip(names, told, strict=True)),
-        dependent=(),
-        pulls=None,
-        given=None,
-    )
-
-
-def _value(system: System, node: Node, place: Mapping[Node, float]) -> float:
-    try:
-        return float(evaluate(system.graph, [node], place)[0])
+        return float(evaluate(graph, [node], place)[0])
     except (ArithmeticError, ValueError):
-        return 0.0
+        return float("nan")

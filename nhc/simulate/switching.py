@@ -8,7 +8,7 @@ stability, the run goes on with an implicit one if that takes steps long enough 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
@@ -19,7 +19,7 @@ from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
 from nhc.simulate.sticking import TOLD, Sticking
-from nhc.simulate.task import CROSSED, DONE, HELD, SINGULAR, Outcome, Task
+from nhc.simulate.task import CROSSED, DONE, EVENT, HELD, SINGULAR, Outcome, Task
 
 SOUND = 0.01
 """Of a coframe's determinant over the lengths of its rows: from here on nothing is said."""
@@ -77,7 +77,8 @@ class Follower:
             outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
             legs.append(Leg(job, pace.method, task, outcome))
             pace.count(outcome)
-            following = self._stick(legs) or self._decide(legs[-1]) or self._pace(pace, legs[-1])
+            stuck = self._stick(legs)
+            following = stuck[0] if stuck is not None else self._decide(legs[-1]) or self._pace(pace, legs[-1])
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:
                 pace.finish()
@@ -86,9 +87,8 @@ class Follower:
             # what was left out of its state cannot be carried over: once more
             if job.kept is None and following.kept is not None:
                 return self._repeat(following, first)
-            same = job.system is following.system and is_same(job.formulation, following.formulation)
-            y: Sequence[float] = outcome.y if same else carry(job, following, outcome)
-            y = self.sticking.let_go(following, outcome.t, y)
+            same = is_same(job.formulation, following.formulation)
+            y = stuck[1] if stuck is not None else outcome.y if same else carry(job, following, outcome)
             if outcome.t == task.times[0]:  # nothing came of it
                 legs.pop()
                 rest = task.times[1:]
@@ -109,19 +109,20 @@ class Follower:
     def _say(self, line: str) -> None:
         self.told[line] = None
 
-    def _stick(self, legs: list[Leg]) -> Job | None:
-        """The job that a run goes on with where dry friction begins to hold or breaks loose."""
+    def _stick(self, legs: list[Leg]) -> tuple[Job, list[float]] | None:
+        """What a run goes on with where dry friction begins to hold or breaks loose."""
         job, outcome = legs[-1].job, legs[-1].outcome
         recipe = job.recipe
         if recipe is None or not recipe.weak:
             return None
-        if outcome.kind == HELD:
-            whole = job.kept is not None
-            return self.sticking.hold(job, outcome) if whole else make_job(recipe, job.system, job.formulation, job)
-        following = self.sticking.release(job, outcome)
-        if following is not None:
-            legs[-1] = replace(legs[-1], outcome=replace(outcome, kind=CROSSED))  # the event is not the user's
-        return following
+        if outcome.kind == HELD and job.kept is None:
+            return make_job(recipe, job.system, job.formulation, job), []
+        found = self.sticking.follow(job, outcome)
+        if outcome.kind == EVENT and recipe.frictions and (found or outcome.status > 0 or recipe.event is None):
+            # the event is not the user's
+            kind, status = (CROSSED, outcome.status) if found else (HELD, -1)
+            legs[-1] = replace(legs[-1], outcome=replace(outcome, kind=kind, status=status))
+        return found
 
     def _decide(self, leg: Leg) -> Job | None:
         """The job that the run goes on with; None where it ends here."""

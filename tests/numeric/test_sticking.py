@@ -231,7 +231,7 @@ scenes: {a: {initial: {wx: 0.1, wy: 0.05, wz: 0.5}, time: [0, 8], need: [wx, wy,
 
 
 def test_frictions_along_one_velocity_add_up() -> None:
-    """1 - 0.7 + 0.5 hold until t = 0.8; where a constraint ties two velocities, what each of them gives is not known: that is said."""
+    """1 - 0.7 + 0.5 hold until t = 0.8; where a constraint ties two velocities, it is not known what each of them gives."""
     text = (
         "nhc: 1\nsystem: several\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nTIED"
         "forces: FORCES\nscenes: {a: {time: [0, 3], need: [x, x']}}\n"
@@ -241,8 +241,26 @@ def test_frictions_along_one_velocity_add_up() -> None:
     assert found.rows[-1][1] == pytest.approx(2.2**2 / 2, rel=1e-7)
     tied = text.replace("TIED", "constraints: [x' = 2*y']\n").replace("FORCES", "{x: t - sign(x'), y: -0.7*sign(y')}")
     found = motion(tied)
-    assert found.ended == "failed" and "held where `x'` is zero" in found.reason
+    assert found.ended == "failed" and "how much each friction gives" in found.reason
     assert found.outcome.t == pytest.approx(1.0, abs=1e-6) and found.rows[-1] == pytest.approx((0.0, 0.0), abs=1e-9)
+
+
+def test_two_frictions_that_change_at_one_time() -> None:
+    """The upper block comes to rest on the lower one, which rests: friction between them turns, and the lower one breaks loose."""
+    text = (
+        "nhc: 1\nsystem: pair\ncoordinates: [x, y]\nT: 0.96*x'^2/2 + 0.87*y'^2/2 + 0.3*x'*y'*cos(x - y)\n"
+        "V: 2.97*x^2/2 + 7.88*y^2/2 + 4.14*(x - y)^2/2\ndefine: {u: x - y}\n"
+        "forces: {x: -0.81*S(x') + 1.87*sin(1.57*t), u: -0.32*S(u')}\n"
+        "scenes: {a: {initial: {x: 0.69, x': 0.79, y: -0.39, y': -0.33}, time: [0, 6], need: [x, y, x', y']}}\n"
+    )
+    found = motion(text.replace("S(", "sign("))
+    beside = motion(
+        text.replace("S(x')", "tanh(x'/1e-7)").replace("S(u')", "tanh(u'/1e-7)"), compiled=True, method="radau5"
+    )
+    assert found.ended == beside.ended == "done"
+    assert [note.split("`")[1] for note in found.notes] == ["x'", "x'", "u'", "u'"]
+    for row, other in zip(found.rows, beside.rows, strict=True):
+        assert row == pytest.approx(other, abs=5e-6)
 
 
 def test_a_run_that_is_to_stay_in_its_formulation_ends_where_friction_sticks() -> None:

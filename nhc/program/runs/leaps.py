@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from nhc.algebra.bounds.interval import Interval, bounds, cannot_vanish
-from nhc.algebra.graph import POW, Graph, Node
+from nhc.algebra.graph import POW, SYM, Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.show import to_text
 from nhc.algebra.walks import count, reachable
@@ -110,7 +110,7 @@ def name_argument(system: System, function: Node) -> str:
     named = {form.value: form.name for form in system.quasi}
     for rotation, spec in zip(system.rotations, system.spec.rotations, strict=True):
         named |= dict(zip(rotation.omega, spec.velocities, strict=True))
-    name = named.get(node, g.labels.get(node, ""))
+    name = named.get(node, g.labels.get(node, "") if g.op[node] != SYM else "")
     if name.endswith(_RATE) and name.removesuffix(_RATE) in g.labels.values():
         return f"{name.removesuffix(_RATE)}'"
     return name or to_text(g, node, _WIDE)

@@ -246,7 +246,7 @@ class _Course:
         if self.part > 0.0:
             return 4.0 * abs(at) + 2.0 * self.least < min(u, v)
         height = -at if self.u < 0.0 else at
-        if self.u * self.v <= 0.0 or height >= 0.25 * max(u, v):
+        if self.u * self.v <= 0.0 or height >= 0.25 * max(u, v) or height >= min(u, v):
             return False
         return -height * (x / (u - height) + (1.0 - x) / (v - height)) < _APART
 
