@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
+from math import sqrt
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
@@ -15,23 +16,28 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
+from nhc.algebra.walks import reachable
 from nhc.diagnostics import SpecError
 from nhc.mechanics.choosing.choose import Formulation, choose
 from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.system import System
 from nhc.program.planning.planner import Planner
-from nhc.program.runs.friction import Friction, find_friction, hold, let_idle
+from nhc.program.runs.friction import ROOT, Friction, find_friction, hold, let_idle
 from nhc.program.runs.leaps import find_functions, name_argument
 from nhc.simulate.carrying import carry, place_of
 from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.methods import linear
 from nhc.simulate.prepare import Job, Recipe, prepare
-from nhc.simulate.task import EVENT, HELD, Outcome
+from nhc.simulate.task import EVENT, HELD, STALLED, TOO_MANY, UNDERFLOW, Outcome
 
 TOLD = 6  # changes that are told one by one
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the motion goes on
 _NEAR = 1e-9  # of the largest velocity: slower, a body is at rest
+_SLOW = (TOO_MANY, STALLED, UNDERFLOW)
+_SHORT = 1e-9  # of a run: shorter steps tell that something is held in a plane
+PATIENCE = 1000  # steps after which that is looked for
 _TOGETHER = 4  # bodies that come to rest at one time: there are sixteen ways to go on
 _DEPENDENT = 1e-12  # of its square, what is left of a row
 _SLIGHT = 1e-6  # of the largest rate: what a rate may be by rounding
@@ -63,6 +69,7 @@ class Sticking:
     times: list[float] = field(default_factory=list)
     speed: float = 0.0
     _frictions: dict[Node, Friction | None] = field(default_factory=dict)
+    _planes: list[tuple[System, list[Friction]]] = field(default_factory=list)
     _casts: list[_Cast] = field(default_factory=list)
 
     def follow(self, job: Job, outcome: Outcome) -> tuple[Job, list[float]] | None:
@@ -72,12 +79,14 @@ class Sticking:
         """
         recipe = job.recipe
         first = 0 if recipe is None or recipe.event is None else 1
-        if recipe is None or not (outcome.kind == HELD or (outcome.kind == EVENT and outcome.status >= first)):
+        if recipe is None or not (
+            outcome.kind in (HELD, *_SLOW) or (outcome.kind == EVENT and outcome.status >= first)
+        ):
             return None
         if not recipe.frictions and job is not self.loose:
-            self.loose, self.held, self._frictions, self._casts = job, {}, {}, []
+            self.loose, self.held, self._frictions, self._planes, self._casts = job, {}, {}, [], []
         released = recipe.frictions[outcome.status - first] if outcome.kind == EVENT else None
-        held = None if released is not None else self._friction_of(self._functions(job)[outcome.status])
+        held = None if released is not None else self._find_held(job, recipe, outcome)
         if (held is None and released is None) or not self._gets_on(job, outcome.t):
             return None
         wanted = [friction for friction in recipe.frictions if friction is not released]
@@ -85,6 +94,37 @@ class Sticking:
         if found is not None and found[0].recipe is not None:
             self._tell_changes(job.system, outcome.t, recipe.frictions, found[0].recipe.frictions)
         return found
+
+    def list_planes(self, job: Job) -> list[Friction]:
+        """The frictions in planes that a job does not hold: its steps become short where they hold, and do not say so."""
+        held = job.recipe.frictions if job.recipe is not None else ()
+        system = self.loose.system if held and self.loose is not None else job.system
+        if all(owner is not system for owner, _ in self._planes):
+            g = system.graph
+            found = (find_friction(system, node) for node in reachable(g, system.Q) if g.op[node] == ROOT)
+            self._planes.append((system, [friction for friction in found if friction is not None]))
+        known = next(known for owner, known in self._planes if owner is system)
+        return [friction for friction in known if friction not in held]
+
+    def is_slow(self, job: Job, outcome: Outcome) -> bool:
+        """Whether a run takes steps as short as where something is held in a plane."""
+        short = outcome.kind in _SLOW and abs(outcome.h) <= _SHORT * abs(job.time[1] - job.time[0])
+        return short and bool(self.list_planes(job))
+
+    def _find_held(self, job: Job, recipe: Recipe, outcome: Outcome) -> Friction | None:
+        """What a run begins to hold."""
+        if outcome.kind == HELD:
+            return self._friction_of(self._functions(job)[outcome.status])
+        place = place_of(job, recipe, outcome) if self.is_slow(job, outcome) else None
+        if place is None:
+            return None
+        self._look_at_speed(job, outcome, place)
+        still = (x for x in self.list_planes(job) if _is_still(job.system.graph, x, place, self.speed))
+        return next(still, None)
+
+    def _look_at_speed(self, job: Job, outcome: Outcome, place: Mapping[Node, float]) -> None:
+        fastest = max((*map(abs, outcome.sizes[job.system.n :]), *(abs(place[v]) for v in job.system.v)), default=0.0)
+        self.speed = max(self.speed, fastest)
 
     def _gets_on(self, job: Job, t: float) -> bool:
         self.times.append(t)
@@ -120,8 +160,7 @@ class Sticking:
         if place is None:
             return None
         g, frictions = job.system.graph, [self._friction_of(function) for function in self._functions(self.loose)]
-        fastest = max((*map(abs, outcome.sizes[job.system.n :]), *(abs(place[v]) for v in job.system.v)), default=0.0)
-        self.speed = max(self.speed, fastest)
+        self._look_at_speed(job, outcome, place)
         near = [
             friction
             for friction in frictions
@@ -145,33 +184,89 @@ class Sticking:
         None where they drive them back, or what it holds would break loose at once.
         """
         t, y = outcome.t, carry(job, following, outcome)
-        slopes = [row for row in (self._slopes(following, friction, t, y) for friction in others) if any(row[2])]
+        slopes = [self._slopes(following, friction, t, y) for friction in others]
+        slopes = [rows for rows in slopes if any(any(row[2]) for row in rows)]
+        if not slopes:
+            return y if self._is_enough(following, t, y) else None
+        if any(len(rows) > 1 for rows in slopes):
+            return self._leave_plane(following, t, y, slopes[0]) if len(slopes) == 1 else None
+        rows = [row for (row,) in slopes]
         best, least, most = None, 0.0, 0.0
-        for sides in product((1.0, -1.0), repeat=len(slopes)):
-            aside = _put_aside(y, following.system.n, slopes, sides)
+        for sides in product((1.0, -1.0), repeat=len(rows)):
+            aside = _put_aside(y, following.system.n, rows, sides)
             if aside is None or not self._is_enough(following, t, aside):
                 continue
-            rhs = self._model(following, "rhs").rhs(t, aside, following.p) if slopes else []
-            rates = [
-                side * (along + sum(a * b for a, b in zip((*left, *right), rhs, strict=True)))
-                for side, (_, (along, *left), right) in zip(sides, slopes, strict=True)
-            ]
+            rates = [side * rate for side, rate in zip(sides, self._rates(following, t, aside, rows), strict=True)]
             most = max([most, *map(abs, rates)])
-            if best is None or min(rates, default=0.0) > least:
-                best, least = aside, min(rates, default=0.0)
+            if best is None or min(rates) > least:
+                best, least = aside, min(rates)
         return best if least >= -_SLIGHT * most else None
 
-    def _slopes(self, job: Job, friction: Friction, t: float, y: Sequence[float]) -> Slip:
+    def _rates(self, job: Job, t: float, y: Sequence[float], rows: Sequence[Slip]) -> list[float]:
+        """How fast slips change."""
+        rhs = self._model(job, "rhs").rhs(t, y, job.p)
+        return [
+            along + sum(a * b for a, b in zip((*left, *right), rhs, strict=True)) for _, (along, *left), right in rows
+        ]
+
+    def _leave_plane(self, job: Job, t: float, y: Sequence[float], rows: Sequence[Slip]) -> list[float] | None:
+        """A state with a slip in the direction in which it grows, against which friction acts.
+
+        The rates of slips s are a - C s/|s|: where these are k s/|s|, (C + k) s/|s| = a, and the length of that is 1 for one k.
+        """
+        size, count = _ASIDE * (max(map(abs, y), default=0.0) or 1.0), len(rows)
+
+        def find_rates(way: Sequence[float]) -> tuple[list[float], list[float]] | None:
+            w = _reach(
+                y[job.system.n :],
+                rows,
+                [size * part / max(map(abs, row[2])) for part, row in zip(way, rows, strict=True)],
+            )
+            aside = None if w is None else [*y[: job.system.n], *w]
+            return None if aside is None else (aside, self._rates(job, t, aside, rows))
+
+        units = [[1.0 if i == j else 0.0 for i in range(count)] for j in range(count)]
+        ahead = [found[1] for unit in units if (found := find_rates(unit)) is not None]
+        behind = [found[1] for unit in units if (found := find_rates([-part for part in unit])) is not None]
+        if len(ahead) < count or len(behind) < count:
+            return None
+        middle = [0.5 * (a + b) for a, b in zip(ahead[0], behind[0], strict=True)]
+        matrix = [[0.5 * (behind[j][i] - ahead[j][i]) for j in range(count)] for i in range(count)]
+        scale = max(map(abs, middle), default=0.0)
+
+        def find_way(k: float) -> list[float]:
+            return linear.solve(
+                [[x + (k if i == j else 0.0) for j, x in enumerate(row)] for i, row in enumerate(matrix)], middle
+            )
+
+        def length(way: Sequence[float]) -> float:
+            return sqrt(sum(part * part for part in way))
+
+        try:
+            if length(find_way(0.0)) < 1.0 - _SLIGHT:  # friction is more than it takes
+                return None
+            low, high = 0.0, 2.0 * scale * count
+            for _ in range(100):
+                middle_k = 0.5 * (low + high)
+                low, high = (middle_k, high) if length(find_way(middle_k)) > 1.0 else (low, middle_k)
+            found = find_rates(find_way(high))
+        except ArithmeticError:
+            return None
+        return found[0] if found is not None and self._is_enough(job, t, found[0]) else None
+
+    def _slopes(self, job: Job, friction: Friction, t: float, y: Sequence[float]) -> list[Slip]:
         assert job.recipe is not None
         system, motion, g = job.system, job.recipe.equations.motion, job.system.graph
         state, known = (*system.q, *motion.w), self._cast(job).slips
         if friction.function not in known:
             on = dict(zip(system.v, motion.velocities, strict=True))
-            (slip,) = substitute(g, [g.a[friction.function]], on)
-            known[friction.function] = [slip, *gradient(g, slip, (system.t, *state))]
+            values = substitute(g, [form.value for form in friction.forms if form.value is not None], on)
+            known[friction.function] = [x for value in values for x in (value, *gradient(g, value, (system.t, *state)))]
         place = {system.t: t, **dict(zip((*system.p, *state), (*job.p, *y), strict=True))}
-        value, *slopes = (float(x) for x in evaluate(g, known[friction.function], place))
-        return value, slopes[: system.n + 1], slopes[system.n + 1 :]
+        found = [float(x) for x in evaluate(g, known[friction.function], place)]
+        size = len(found) // len(friction.forms)
+        each = [found[k * size : (k + 1) * size] for k in range(len(friction.forms))]
+        return [(one[0], one[1 : system.n + 2], one[system.n + 2 :]) for one in each]
 
     def _is_enough(self, job: Job, t: float, y: Sequence[float]) -> bool:
         """Whether the frictions that hold are as large as they have to be."""
@@ -290,7 +385,9 @@ def _reach(begin: Sequence[float], slopes: Sequence[Slip], aims: Sequence[float]
 
 
 def _is_still(graph: Graph, friction: Friction, place: Mapping[Node, float], speed: float) -> bool:
-    return abs(_value(graph, graph.a[friction.function], place)) <= _NEAR * speed
+    return all(
+        abs(_value(graph, form.value, place)) <= _NEAR * speed for form in friction.forms if form.value is not None
+    )
 
 
 def _value(graph: Graph, node: Node, place: Mapping[Node, float]) -> float:

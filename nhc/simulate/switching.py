@@ -18,8 +18,8 @@ from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_o
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
-from nhc.simulate.sticking import TOLD, Sticking
-from nhc.simulate.task import CROSSED, DONE, EVENT, HELD, SINGULAR, Outcome, Task
+from nhc.simulate.sticking import PATIENCE, TOLD, Sticking
+from nhc.simulate.task import CROSSED, DONE, EVENT, HELD, SINGULAR, TOO_MANY, Outcome, Task
 
 SOUND = 0.01
 """Of a coframe's determinant over the lengths of its rows: from here on nothing is said."""
@@ -74,11 +74,15 @@ class Follower:
         self.told, self.changes = {}, 0
         pace, self.sticking = Pace(self.method, task, self.auto, self._say), Sticking(self._say)
         while True:
-            outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
+            most = self._find_most(job, task, pace)
+            outcome = self.integrate(job, pace.method, replace(task, most=min(most, pace.most)))
             legs.append(Leg(job, pace.method, task, outcome))
+            more = most < pace.most
             pace.count(outcome)
             stuck = self._stick(legs)
-            following = stuck[0] if stuck is not None else self._decide(legs[-1]) or self._pace(pace, legs[-1])
+            following = stuck[0] if stuck is not None else self._decide(legs[-1])
+            if following is None:
+                following = job if more and outcome.kind == TOO_MANY else self._pace(pace, legs[-1])
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:
                 pace.finish()
@@ -109,14 +113,21 @@ class Follower:
     def _say(self, line: str) -> None:
         self.told[line] = None
 
+    def _find_most(self, job: Job, task: Task, pace: Pace) -> int:
+        """Attempts until it is looked whether something is held that steps do not tell."""
+        recipe = job.recipe
+        slides = recipe is not None and recipe.weak and task.step <= 0 and self.sticking.list_planes(job)
+        return PATIENCE if slides else pace.most
+
     def _stick(self, legs: list[Leg]) -> tuple[Job, list[float]] | None:
         """What a run goes on with where dry friction begins to hold or breaks loose."""
         job, outcome = legs[-1].job, legs[-1].outcome
         recipe = job.recipe
         if recipe is None or not recipe.weak:
             return None
-        if outcome.kind == HELD and job.kept is None:
-            return make_job(recipe, job.system, job.formulation, job), []
+        if job.kept is None:
+            stuck = outcome.kind == HELD or self.sticking.is_slow(job, outcome)
+            return (make_job(recipe, job.system, job.formulation, job), []) if stuck else None
         found = self.sticking.follow(job, outcome)
         if outcome.kind == EVENT and recipe.frictions and (found or outcome.status > 0 or recipe.event is None):
             # the event is not the user's

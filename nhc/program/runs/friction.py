@@ -1,8 +1,9 @@
-"""Dry friction that sticks: where sign(v) in the forces holds v at zero, the run goes on with v = 0 as one more constraint.
+"""Dry friction that sticks: where it holds a velocity at zero, a run goes on with that as one more constraint, or two in a plane.
 
 A force c sign(v) that acts along the constraint, Q_i = -c sign(v) dv/dq'_i, is at rest any Q_i = -s c dv/dq'_i with -1 <= s <= 1
 (Coulomb's law; Filippov 1988, sec. 4).  That is the reaction of v = 0, lambda dv/dq'_i with lambda = -s c, as long as that is no
-larger.
+larger.  In a plane the force is -c (v dv/dq'_i + w dw/dq'_i)/sqrt(v^2 + w^2), and at rest the reactions of v = 0 and w = 0 are
+together no larger than c.
 """
 
 from __future__ import annotations
@@ -11,11 +12,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
+from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import Singular
 from nhc.algebra.exact.modular import are_zero, is_zero
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.reading import Reading
 from nhc.algebra.rebuilding import substitute
-from nhc.algebra.solving.linear import NotLinear, linear_form
+from nhc.algebra.solving.linear import NotLinear, linear_form, solve
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.system import Form, System
@@ -23,6 +27,7 @@ from nhc.program.planning.planner import Planner
 from nhc.program.runs.needed import reactions_of
 from nhc.records import record
 
+SIGN, ROOT = "sign", "sqrt"
 _TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
 
 _MARGIN = Fraction(
@@ -32,81 +37,104 @@ _MARGIN = Fraction(
 
 @record
 class Friction:
-    """``function`` is sign(v), ``form`` the constraint v = 0, ``size`` c > 0; ``value`` stands for s in what is computed of it."""
+    """``function`` is sign(v), or sqrt(v^2 + w^2) of what slips in a plane; ``forms`` are the constraints, ``size`` is c > 0.
+
+    ``values`` stand for the parts of c, with opposite signs, that the reactions are, in what is computed of them.
+    """
 
     function: Node
-    form: Form
+    forms: tuple[Form, ...]
     size: Node
-    value: Node
+    values: tuple[Node, ...]
 
 
 def list_releases(planner: Planner, frictions: Sequence[Friction]) -> list[Node]:
     """Values that are positive while friction holds; ``frictions`` are the last constraints of the planner's system."""
-    g, (reactions, sizes) = planner.graph, _reactions(planner, frictions)
-    most = g.number(1 + _MARGIN)
+    g, most = planner.graph, planner.graph.number(1 + _MARGIN)
     return [
-        g.sub(g.mul(most, g.power(size, 2)), g.power(reaction, 2))
-        for reaction, size in zip(reactions, sizes, strict=True)
+        g.sub(g.mul(most, g.power(size, 2)), g.sum([g.power(reaction, 2) for reaction in reactions]))
+        for reactions, size in _reactions(planner, frictions)
     ]
 
 
 def put_values(planner: Planner, frictions: Sequence[Friction], nodes: Sequence[Node]) -> list[Node]:
-    """Nodes on the motion with s by the reactions in place of each ``value``."""
+    """Nodes on the motion with the reactions in place of each friction's ``values``."""
     if not frictions:
         return list(nodes)
-    g, (reactions, sizes) = planner.graph, _reactions(planner, frictions)
-    found = {
-        friction.value: g.neg(g.div(reaction, size))
-        for friction, reaction, size in zip(frictions, reactions, sizes, strict=True)
-    }
+    g, found = planner.graph, dict[Node, Node]()
+    for friction, (reactions, size) in zip(frictions, _reactions(planner, frictions), strict=True):
+        found |= {value: g.neg(g.div(x, size)) for value, x in zip(friction.values, reactions, strict=True)}
     return substitute(g, nodes, found)
 
 
-def _reactions(planner: Planner, frictions: Sequence[Friction]) -> tuple[list[Node], list[Node]]:
+def _reactions(planner: Planner, frictions: Sequence[Friction]) -> list[tuple[list[Node], Node]]:
+    """Of each friction the reactions of its constraints, and its size."""
     if not frictions:
-        return [], []
-    return reactions_of(planner)[-len(frictions) :], planner.on_motion([friction.size for friction in frictions])
+        return []
+    left, found = reactions_of(planner), list[tuple[list[Node], Node]]()
+    sizes = planner.on_motion([friction.size for friction in frictions])
+    for friction, size in zip(reversed(frictions), reversed(sizes), strict=True):
+        count_of = len(friction.forms)
+        found.append((left[-count_of:], size))
+        left = left[:-count_of]
+    return found[::-1]
 
 
 def find_friction(system: System, function: Node) -> Friction | None:
-    """sign(v) as a constraint v = 0, with the force that it is worth along that; None where it is none."""
+    """The friction of sign(v), or of a root of squares; None where that is none along what it would hold."""
     g = system.graph
-    if g.op[function] != "sign":
+    slips = _list_slips(g, function)
+    elsewhere = [system.T, system.U, *(x for form in system.constraints for x in (*form.coefficients, form.constant))]
+    if not slips or function in reachable(g, elsewhere):
         return None
-    slip = g.a[function]
     try:
-        coefficients, constant = linear_form(g, slip, system.v)
+        forms = [linear_form(g, slip, system.v) for slip in slips]
     except NotLinear:
         return None
-    elsewhere = [system.T, system.U, *(x for form in system.constraints for x in (*form.coefficients, form.constant))]
-    if function in reachable(g, elsewhere):
+    none, one, two = (_with(system, function, g.number(value)) for value in (0, 1, 2))
+    if g.op[function] == ROOT and function in reachable(g, one):
         return None
-    ahead, behind, still = (_with(system, function, g.number(sign)) for sign in (1, -1, 0))
-    jumps = [g.sub(a, b) for a, b in zip(ahead, behind, strict=True)]  # -2 c dv/dq'
-    sums = [g.sub(g.add(a, b), g.add(c, c)) for a, b, c in zip(ahead, behind, still, strict=True)]
-    square = g.dot(coefficients, coefficients)
-    if not all(are_zero(g, sums)) or is_zero(g, square):
+    pulls = [g.sub(a, b) for a, b in zip(one, none, strict=True)]  # -c sum of s_j dv_j/dq'
+    more = [g.sub(g.add(a, b), g.add(c, c)) for a, b, c in zip(none, two, one, strict=True)]
+    parts = [g.one] if g.op[function] == SIGN else slips
+    along = [g.sum([g.mul(s, form[0][i]) for s, form in zip(parts, forms, strict=True)]) for i in range(system.n)]
+    square = g.dot(along, along)
+    if not all(are_zero(g, more)) or is_zero(g, square):
         return None
-    single = [g.div(jump, a) for jump, a in zip(jumps, coefficients, strict=True) if not is_zero(g, a)]
-    ratios = [normalise(g, ratio, _TERMS) for ratio in (g.div(g.dot(jumps, coefficients), square), *single)]
+    single = [g.div(pull, a) for pull, a in zip(pulls, along, strict=True) if not is_zero(g, a)]
+    ratios = [normalise(g, ratio, _TERMS) for ratio in (g.div(g.dot(pulls, along), square), *single)]
     whole = min(ratios, key=lambda ratio: count(g, [ratio]))  # what is longer may have a zero of its own below its line
-    if not all(are_zero(g, [g.sub(jump, g.mul(whole, a)) for jump, a in zip(jumps, coefficients, strict=True)])):
+    if not all(are_zero(g, [g.sub(pull, g.mul(whole, a)) for pull, a in zip(pulls, along, strict=True)])):
         return None
-    size = g.mul(g.number(Fraction(-1, 2)), whole)
-    form = Form(f"held{function}", coefficients, constant, "", None, slip)
-    return Friction(function, form, size, g.symbol(f"friction {function}", "friction"))
+    names = [f"held{function}" + "_" * k for k in range(len(slips))]
+    made = [Form(name, *form, "", None, slip) for name, form, slip in zip(names, forms, slips, strict=True)]
+    return Friction(function, tuple(made), g.neg(whole), tuple(g.symbol(name, "friction") for name in names))
+
+
+def _list_slips(graph: Graph, function: Node) -> list[Node]:
+    """What a function would hold: v of sign(v), v and w of sqrt(v^2 + w^2)."""
+    g = graph
+    if g.op[function] == SIGN:
+        return [g.a[function]]
+    if g.op[function] != ROOT:
+        return []
+    terms = [node for _, node in Reading(g).terms(g.a[function])]
+    return [g.a[node] for node in terms] if all(g.op[node] == POW and g.b[node] == 2 for node in terms) else []
 
 
 def _with(system: System, function: Node, value: Node) -> list[Node]:
-    """Q with a value in place of sign(v)."""
+    """Q with a value in place of sign(v), or of 1/sqrt(v^2 + w^2)."""
     return substitute(system.graph, system.Q, _in_place(system, function, value))
 
 
 def _in_place(system: System, function: Node, value: Node) -> dict[Node, Node]:
-    """A value in place of sign(v), and what follows from that of sign(k v) with a number k."""
-    g, found = system.graph, {function: value}
+    """A value in place of sign(v), and what follows from that of sign(k v) with a number k; or of what is one over a root."""
+    g = system.graph
+    if g.op[function] == ROOT:
+        return {g.power(function, -1): value}
+    found = {function: value}
     for node in reachable(g, system.Q):
-        if g.op[node] == "sign" and node != function:
+        if g.op[node] == SIGN and node != function:
             ratio = g.value(normalise(g, g.div(g.a[node], g.a[function]), _TERMS))
             if ratio is not None:
                 found[node] = value if ratio > 0 else g.neg(value)
@@ -114,22 +142,45 @@ def _in_place(system: System, function: Node, value: Node) -> dict[Node, Node]:
 
 
 def hold(system: System, friction: Friction) -> System:
-    """The system with v = 0 as its last constraint, and without sign(v) in its forces."""
+    """The system with what is held as its last constraints, and without the friction in its forces.
+
+    Raises:
+        nhc.algebra.dense.Singular: an output has a direction of what does not slip, in another way than friction has.
+    """
     g = system.graph
     out = _in_place(system, friction.function, g.zero)
-    told = substitute(g, [node for _, node in system.outputs], _in_place(system, friction.function, friction.value))
-    names = [name for name, _ in system.outputs]
     torques = [tuple(substitute(g, three, out)) for three in system.torques]
     return replace(
         system,
         Q=tuple(substitute(g, system.Q, out)),
         torques=tuple((a, b, c) for a, b, c in torques),
-        constraints=(*system.constraints, friction.form),
-        outputs=tuple(zip(names, told, strict=True)),
+        constraints=(*system.constraints, *friction.forms),
+        outputs=tuple((name, _tell(system, friction, node)) for name, node in system.outputs),
         dependent=(),
         pulls=None,
         given=None,
     )
+
+
+def _tell(system: System, friction: Friction, output: Node) -> Node:
+    """An output with the friction's values in it."""
+    g, function = system.graph, friction.function
+    if g.op[function] == SIGN:
+        return substitute(g, [output], _in_place(system, function, friction.values[0]))[0]
+    none, one, two = (substitute(g, [output], _in_place(system, function, g.number(value)))[0] for value in (0, 1, 2))
+    pull = g.sub(one, none)
+    if pull == g.zero:
+        return output
+    # pull = sum of k_j v_j: its slopes are sums of k_j dv_j/dq'
+    rows = [form.coefficients for form in friction.forms]
+    slopes = gradient(g, pull, system.v)
+    matrix = [[g.dot(a, b) for b in rows] for a in rows]
+    parts = solve(g, matrix, [[g.dot(a, slopes) for a in rows]]).unknowns[0]
+    values = [form.value for form in friction.forms if form.value is not None]
+    left = g.sub(pull, g.dot(parts, values))
+    if not all(are_zero(g, [left, g.sub(g.add(none, two), g.add(one, one))])):
+        raise Singular
+    return g.add(none, g.dot(parts, friction.values))
 
 
 def let_idle(equations: Equations) -> System | None:
@@ -138,7 +189,9 @@ def let_idle(equations: Equations) -> System | None:
     """
     system, g = equations.system, equations.system.graph
     on = dict(zip(system.v, equations.motion.velocities, strict=True))
-    signs = [node for node in reachable(g, system.Q) if g.op[node] == "sign"]
-    still = are_zero(g, substitute(g, [g.a[node] for node in signs], on))
-    out = {node: g.zero for node, idle in zip(signs, still, strict=True) if idle}
+    inside = reachable(g, system.Q)
+    found = {node: g.a[node] for node in inside if g.op[node] == SIGN}
+    found |= {node: g.a[g.a[node]] for node in inside if g.op[node] == POW and g.op[g.a[node]] == ROOT}
+    still = are_zero(g, substitute(g, list(found.values()), on))
+    out = {node: g.zero for node, idle in zip(found, still, strict=True) if idle}
     return replace(system, Q=tuple(substitute(g, system.Q, out))) if out else None

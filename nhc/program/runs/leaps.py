@@ -105,8 +105,9 @@ def _argument(graph: Graph, node: Node) -> Node:
 
 
 def name_argument(system: System, function: Node) -> str:
-    """The argument of a function in the spec's words: a velocity's name, a definition's, or what it is."""
-    g, node = system.graph, _argument(system.graph, function)
+    """The argument of a function in the spec's words, or a root itself: a velocity's name, a definition's, or what it is."""
+    g = system.graph
+    node = function if g.op[function] == "sqrt" else _argument(g, function)
     named = {form.value: form.name for form in system.quasi}
     for rotation, spec in zip(system.rotations, system.spec.rotations, strict=True):
         named |= dict(zip(rotation.omega, spec.velocities, strict=True))
