@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, product
-from math import sqrt
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
@@ -25,25 +24,21 @@ from nhc.mechanics.system import System
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.friction import ROOT, Friction, find_friction, hold, let_idle
 from nhc.program.runs.leaps import find_functions, name_argument
+from nhc.simulate.aside import Slip, find_way, put_aside, reach
 from nhc.simulate.carrying import carry, place_of
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.methods import linear
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.task import EVENT, HELD, STALLED, TOO_MANY, UNDERFLOW, Outcome
 
 TOLD = 6  # changes that are told one by one
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
-_ASIDE = 1e-12  # of the largest entry of a state: how far beside the jump the motion goes on
-_NEAR = 1e-9  # of the largest velocity: slower, a body is at rest
+_OFF = 1e-10  # of the largest velocity: where a slip in a plane begins, whose direction is stiff by friction over mass and speed
+_NEAR = 1e-10  # of the largest velocity: slower, a body is at rest
 _SLOW = (TOO_MANY, STALLED, UNDERFLOW)
 _SHORT = 1e-9  # of a run: shorter steps tell that something is held in a plane
-PATIENCE = 1000  # steps after which that is looked for
+PATIENCE = 1000  # steps after which that is looked for, and twice as many each time that it is in vain
 _TOGETHER = 4  # bodies that come to rest at one time: there are sixteen ways to go on
-_DEPENDENT = 1e-12  # of its square, what is left of a row
 _SLIGHT = 1e-6  # of the largest rate: what a rate may be by rounding
-
-Slip = tuple[float, list[float], list[float]]
-"""What a friction may hold, its slopes by time and positions, and those by the velocities that a job keeps."""
 
 
 @dataclass
@@ -68,6 +63,7 @@ class Sticking:
     held: dict[tuple[Node, ...], Job | None] = field(default_factory=dict)
     times: list[float] = field(default_factory=list)
     speed: float = 0.0
+    patience: int = PATIENCE
     _frictions: dict[Node, Friction | None] = field(default_factory=dict)
     _planes: list[tuple[System, list[Friction]]] = field(default_factory=list)
     _casts: list[_Cast] = field(default_factory=list)
@@ -87,12 +83,15 @@ class Sticking:
             self.loose, self.held, self._frictions, self._planes, self._casts = job, {}, {}, [], []
         released = recipe.frictions[outcome.status - first] if outcome.kind == EVENT else None
         held = None if released is not None else self._find_held(job, recipe, outcome)
+        self.patience *= 2 if outcome.kind in _SLOW else 1
         if (held is None and released is None) or not self._gets_on(job, outcome.t):
             return None
         wanted = [friction for friction in recipe.frictions if friction is not released]
         found = self._settle(job, recipe, outcome, (*wanted, held) if held is not None else tuple(wanted))
-        if found is not None and found[0].recipe is not None:
-            self._tell_changes(job.system, outcome.t, recipe.frictions, found[0].recipe.frictions)
+        if found is None or found[0].recipe is None or (outcome.kind in _SLOW and found[0] is job):
+            return None
+        self.patience = PATIENCE
+        self._tell_changes(job.system, outcome.t, recipe.frictions, found[0].recipe.frictions)
         return found
 
     def list_planes(self, job: Job) -> list[Friction]:
@@ -193,7 +192,7 @@ class Sticking:
         rows = [row for (row,) in slopes]
         best, least, most = None, 0.0, 0.0
         for sides in product((1.0, -1.0), repeat=len(rows)):
-            aside = _put_aside(y, following.system.n, rows, sides)
+            aside = put_aside(y, following.system.n, rows, sides)
             if aside is None or not self._is_enough(following, t, aside):
                 continue
             rates = [side * rate for side, rate in zip(sides, self._rates(following, t, aside, rows), strict=True)]
@@ -210,49 +209,18 @@ class Sticking:
         ]
 
     def _leave_plane(self, job: Job, t: float, y: Sequence[float], rows: Sequence[Slip]) -> list[float] | None:
-        """A state with a slip in the direction in which it grows, against which friction acts.
+        """A state with a slip in the direction in which it grows."""
+        n, size, count = job.system.n, _OFF * (self.speed or 1.0), len(rows)
 
-        The rates of slips s are a - C s/|s|: where these are k s/|s|, (C + k) s/|s| = a, and the length of that is 1 for one k.
-        """
-        size, count = _ASIDE * (max(map(abs, y), default=0.0) or 1.0), len(rows)
+        def find_state(way: Sequence[float]) -> list[float]:
+            aims = [size * part / max(map(abs, row[2])) for part, row in zip(way, rows, strict=True)]
+            return [*y[:n], *(reach(y[n:], rows, aims) or y[n:])]
 
-        def find_rates(way: Sequence[float]) -> tuple[list[float], list[float]] | None:
-            w = _reach(
-                y[job.system.n :],
-                rows,
-                [size * part / max(map(abs, row[2])) for part, row in zip(way, rows, strict=True)],
-            )
-            aside = None if w is None else [*y[: job.system.n], *w]
-            return None if aside is None else (aside, self._rates(job, t, aside, rows))
-
-        units = [[1.0 if i == j else 0.0 for i in range(count)] for j in range(count)]
-        ahead = [found[1] for unit in units if (found := find_rates(unit)) is not None]
-        behind = [found[1] for unit in units if (found := find_rates([-part for part in unit])) is not None]
-        if len(ahead) < count or len(behind) < count:
-            return None
-        middle = [0.5 * (a + b) for a, b in zip(ahead[0], behind[0], strict=True)]
-        matrix = [[0.5 * (behind[j][i] - ahead[j][i]) for j in range(count)] for i in range(count)]
-        scale = max(map(abs, middle), default=0.0)
-
-        def find_way(k: float) -> list[float]:
-            return linear.solve(
-                [[x + (k if i == j else 0.0) for j, x in enumerate(row)] for i, row in enumerate(matrix)], middle
-            )
-
-        def length(way: Sequence[float]) -> float:
-            return sqrt(sum(part * part for part in way))
-
-        try:
-            if length(find_way(0.0)) < 1.0 - _SLIGHT:  # friction is more than it takes
-                return None
-            low, high = 0.0, 2.0 * scale * count
-            for _ in range(100):
-                middle_k = 0.5 * (low + high)
-                low, high = (middle_k, high) if length(find_way(middle_k)) > 1.0 else (low, middle_k)
-            found = find_rates(find_way(high))
-        except ArithmeticError:
-            return None
-        return found[0] if found is not None and self._is_enough(job, t, found[0]) else None
+        units = [[sign if i == j else 0.0 for i in range(count)] for sign in (1.0, -1.0) for j in range(count)]
+        rates = [self._rates(job, t, find_state(unit), rows) for unit in units]
+        way = find_way(rates[:count], rates[count:], _SLIGHT)
+        aside = None if way is None else find_state(way)
+        return aside if aside is not None and self._is_enough(job, t, aside) else None
 
     def _slopes(self, job: Job, friction: Friction, t: float, y: Sequence[float]) -> list[Slip]:
         assert job.recipe is not None
@@ -349,39 +317,6 @@ def _choose(system: System) -> Formulation:
 def _list_choices(near: Sequence[Friction]) -> Iterator[tuple[Friction, ...]]:
     for size in range(len(near), -1, -1):
         yield from combinations(near, size)
-
-
-def _put_aside(y: Sequence[float], n: int, slopes: Sequence[Slip], sides: Sequence[float]) -> list[float] | None:
-    """A state near by with each slip on its side; None where there is none.
-
-    What follows from others is on one side or the other by how far these are from their jumps.
-    """
-    size = _ASIDE * (max(map(abs, y), default=0.0) or 1.0)
-    for lengths in product((1.0, 3.0), repeat=len(slopes)):
-        aims = [side * length * size for side, length in zip(sides, lengths, strict=True)]
-        w = _reach(y[n:], slopes, aims)
-        if w is not None:
-            return [*y[:n], *w]
-    return None
-
-
-def _reach(begin: Sequence[float], slopes: Sequence[Slip], aims: Sequence[float]) -> list[float] | None:
-    """Velocities at which each slip is its aim times the largest of its slopes, or has that sign where it follows from others."""
-    w, basis = list(begin), list[list[float]]()
-    for aim, (slip, _, by) in zip(aims, slopes, strict=True):
-        left = list(by)
-        for one in basis:
-            part = sum(a * b for a, b in zip(left, one, strict=True))
-            left = [a - part * b for a, b in zip(left, one, strict=True)]
-        square = sum(a * a for a in left)
-        now = slip + sum(a * (b - c) for a, b, c in zip(by, w, begin, strict=True))
-        if square > _DEPENDENT * sum(a * a for a in by):
-            step = (aim * max(map(abs, by)) - now) / square
-            w = [a + step * b for a, b in zip(w, left, strict=True)]
-            basis.append([a / square**0.5 for a in left])
-        elif not aim * now > 0.0:
-            return None
-    return w
 
 
 def _is_still(graph: Graph, friction: Friction, place: Mapping[Node, float], speed: float) -> bool:

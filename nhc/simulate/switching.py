@@ -18,7 +18,7 @@ from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_o
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
-from nhc.simulate.sticking import PATIENCE, TOLD, Sticking
+from nhc.simulate.sticking import TOLD, Sticking
 from nhc.simulate.task import CROSSED, DONE, EVENT, HELD, SINGULAR, TOO_MANY, Outcome, Task
 
 SOUND = 0.01
@@ -55,6 +55,7 @@ class Follower:
     auto: bool = False
     told: dict[str, None] = field(default_factory=dict)
     changes: int = 0
+    paces: int = 0
     jobs: list[Job] = field(default_factory=list)
     sticking: Sticking = field(init=False)
 
@@ -64,15 +65,18 @@ class Follower:
     @property
     def notes(self) -> tuple[str, ...]:
         """What happened in the last run."""
-        more, held = self.changes - TOLD, self.sticking.changes - TOLD
-        rest = ((more, "more changes of the formulation"), (held, "more times friction begins to hold or breaks loose"))
-        return (*self.told, *(f"{count} {what}" for count, what in rest if count > 0))
+        rest = (
+            (self.changes, "more changes of the formulation"),
+            (self.sticking.changes, "more times friction begins to hold or breaks loose"),
+            (self.paces, "more changes of the method, or reasons for one"),
+        )
+        return (*self.told, *(f"{count - TOLD} {what}" for count, what in rest if count > TOLD))
 
     def run(self, task: Task) -> list[Leg]:
         """The legs of a run; the outcome of the last one says how it ended."""
         job, legs, first = self.job, list[Leg](), task
-        self.told, self.changes = {}, 0
-        pace, self.sticking = Pace(self.method, task, self.auto, self._say), Sticking(self._say)
+        self.told, self.changes, self.paces = {}, 0, 0
+        pace, self.sticking = Pace(self.method, task, self.auto, self._say_pace), Sticking(self._say)
         while True:
             most = self._find_most(job, task, pace)
             outcome = self.integrate(job, pace.method, replace(task, most=min(most, pace.most)))
@@ -82,7 +86,7 @@ class Follower:
             stuck = self._stick(legs)
             following = stuck[0] if stuck is not None else self._decide(legs[-1])
             if following is None:
-                following = job if more and outcome.kind == TOO_MANY else self._pace(pace, legs[-1])
+                following = self._pace(pace, legs[-1]) or (job if more and outcome.kind == TOO_MANY else None)
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:
                 pace.finish()
@@ -110,6 +114,11 @@ class Follower:
             self.jobs = []  # they lack the Jacobian, or need it no more
         return following
 
+    def _say_pace(self, line: str) -> None:
+        self.paces += line not in self.told
+        if self.paces <= TOLD:
+            self._say(line)
+
     def _say(self, line: str) -> None:
         self.told[line] = None
 
@@ -117,7 +126,7 @@ class Follower:
         """Attempts until it is looked whether something is held that steps do not tell."""
         recipe = job.recipe
         slides = recipe is not None and recipe.weak and task.step <= 0 and self.sticking.list_planes(job)
-        return PATIENCE if slides else pace.most
+        return self.sticking.patience if slides else pace.most
 
     def _stick(self, legs: list[Leg]) -> tuple[Job, list[float]] | None:
         """What a run goes on with where dry friction begins to hold or breaks loose."""

@@ -263,6 +263,65 @@ def test_two_frictions_that_change_at_one_time() -> None:
         assert row == pytest.approx(other, abs=5e-6)
 
 
+BILLIARD = """nhc: 1
+system: billiard
+coordinates: [x, y]
+rotation: {B: {frame: space, velocities: [wx, wy, wz]}}
+parameters: {m: 0.17, a: 0.028, mu: 0.2, g: 9.81}
+define: {sx: x' - a*wy, sy: y' + a*wx, s: sqrt(sx^2 + sy^2)}
+T: m*(x'^2 + y'^2)/2 + m*a^2/5*(wx^2 + wy^2 + wz^2)
+forces: {x: -mu*m*g*sx/s, y: -mu*m*g*sy/s, wx: -mu*m*g*a*sy/s, wy: mu*m*g*a*sx/s}
+scenes: {a: {initial: {x': 2, wx: 30, wy: -20, wz: 5}, time: [0, 2], need: [x, y, x', y', wx, wy, wz]}}
+"""
+
+
+@BOTH
+def test_a_billiard_ball_slides_along_a_parabola_and_rolls_along_a_line(compiled: bool) -> None:
+    """Its slip keeps its direction and falls by 7/2 mu g each second; 5/7 of its speed and 2/7 of its rim's are left."""
+    found = motion(BILLIARD, compiled=compiled)
+    assert found.ended == "done" and len(found.notes) == 1 and found.notes[0].endswith("holds `s` at zero")
+    slip = (2 + 0.56, 0.84)
+    rolls = math.hypot(*slip) / (3.5 * 0.2 * 9.81)
+    assert float(found.notes[0].split()[3]) == pytest.approx(rolls, rel=1e-5)
+    speed = (5 / 7 * 2 - 2 / 7 * 0.028 * 20, -2 / 7 * 0.028 * 30)
+    last = found.rows[-1]
+    assert last[2:4] == pytest.approx(speed, abs=1e-10)
+    assert last[4:] == pytest.approx((-speed[1] / 0.028, speed[0] / 0.028, 5.0), abs=1e-8)
+    pull = [-0.2 * 9.81 * part / math.hypot(*slip) for part in slip]
+    x = 2 * rolls + pull[0] * rolls**2 / 2 + speed[0] * (2 - rolls)
+    y = pull[1] * rolls**2 / 2 + speed[1] * (2 - rolls)
+    assert last[:2] == pytest.approx((x, y), abs=1e-8)
+
+
+def test_friction_in_a_plane_holds_and_lets_go() -> None:
+    """Beside sqrt(v^2 + w^2 + 1e-18), with which the mass creeps by some 1e-9 each second."""
+    text = """nhc: 1
+system: plane
+coordinates: [x, y]
+parameters: {m: 1.2, c: 1.7, k: 6, A: 0.3, B: 0.2}
+define: {s: sqrt(x'^2 + y'^2 + EPS)}
+T: m*(x'^2 + y'^2)/2
+V: k/2*((x - A*sin(0.7*t))^2 + (y - B*cos(1.1*t))^2)
+forces: {x: -c*x'/s, y: -c*y'/s}
+outputs: {fx: -c*x'/s, fy: -c*y'/s, slip: s}
+scenes: {a: {initial: {x': 0.3, y': 0.4}, time: [0, 14], need: [x, y, fx, fy, slip]}}
+"""
+    found = motion(text.replace(" + EPS", ""), compiled=True)
+    beside = motion(text.replace("EPS", "1e-18"), compiled=True, method="radau5", tolerance=1e-10)
+    assert found.ended == beside.ended == "done"
+    told = [note for note in found.notes if "`s`" in note]
+    assert [("holds" in note, "loose" in note) for note in told] == [(True, False), (False, True)] * 3
+    for t, row, other in zip(found.times, found.rows, beside.rows, strict=True):
+        assert row[:2] == pytest.approx(other[:2], abs=1e-7)
+        assert math.hypot(*row[2:4]) <= 1.7 * (1 + 1e-9)
+        if row[4] == 0.0:  # the springs' forces, which it holds
+            springs = (6 * (row[0] - 0.3 * math.sin(0.7 * t)), 6 * (row[1] - 0.2 * math.cos(1.1 * t)))
+            assert row[2:4] == pytest.approx(springs, abs=1e-12)
+        else:
+            assert row[2:] == pytest.approx(other[2:], abs=1e-6)
+    assert sum(row[4] == 0.0 for row in found.rows) > 5
+
+
 def test_a_run_that_is_to_stay_in_its_formulation_ends_where_friction_sticks() -> None:
     found = motion(THROWN, "throw", stay=True)
     assert found.ended == "failed" and "the motion is held where `slip` is zero" in found.reason

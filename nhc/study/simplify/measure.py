@@ -29,8 +29,8 @@ SECOND = {"dop853": "dopri5", "dopri5": "dop853"}
 """The method that measures again; radau5, whose rows are interpolated by cubics, measures again at a tighter tolerance."""
 PATIENCE = 0.4  # seconds of an interpreted run, below which the C compiler would take longer
 LONGER, FIRST = 4, 400
-"""Times the full model's steps, and that many more: a smaller model whose interpreted run needs more, for it sticks or slides along
-a jump, goes on to the C compiler.
+"""Times the full model's steps, and that many more: a smaller model whose interpreted run needs more, as where a force all but
+jumps, goes on to the C compiler.
 """
 PATIENT, _LEAST_MOST = 20, 50_000
 """Times the steps of the full model's longest run, and that many more: what a run of a smaller model may take."""
