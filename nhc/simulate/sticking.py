@@ -28,13 +28,13 @@ from nhc.simulate.aside import Slip, find_way, put_aside, reach
 from nhc.simulate.carrying import carry, place_of
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job, Recipe, prepare
-from nhc.simulate.task import EVENT, HELD, STALLED, TOO_MANY, UNDERFLOW, Outcome
+from nhc.simulate.task import EVENT, HELD, SINGULAR, STALLED, TOO_MANY, UNDERFLOW, Outcome
 
 TOLD = 6  # changes that are told one by one
 _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _OFF = 1e-10  # of the largest velocity: where a slip in a plane begins, whose direction is stiff by friction over mass and speed
 _NEAR = 1e-10  # of the largest velocity: slower, a body is at rest
-_SLOW = (TOO_MANY, STALLED, UNDERFLOW)
+_SLOW = (TOO_MANY, STALLED, UNDERFLOW, SINGULAR)
 _SHORT = 1e-9  # of a run: shorter steps tell that something is held in a plane
 PATIENCE = 1000  # steps after which that is looked for, and twice as many each time that it is in vain
 _TOGETHER = 4  # bodies that come to rest at one time: there are sixteen ways to go on

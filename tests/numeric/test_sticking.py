@@ -7,6 +7,7 @@ import math
 import pytest
 
 from nhc.language import Source
+from nhc.pipeline import check
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 
@@ -320,6 +321,22 @@ scenes: {a: {initial: {x': 0.3, y': 0.4}, time: [0, 14], need: [x, y, fx, fy, sl
         else:
             assert row[2:] == pytest.approx(other[2:], abs=1e-6)
     assert sum(row[4] == 0.0 for row in found.rows) > 5
+
+
+def test_a_motion_starts_at_rest_in_a_plane() -> None:
+    """x pulls by a t from the start, and c/a is when it breaks loose; what functions refuse is said with what runs."""
+    text = (
+        "nhc: 1\nsystem: puck\ncoordinates: [x, y]\nparameters: {m: 2, c: 1.5, a: 0.5}\ndefine: {s: sqrt(x'^2 + y'^2)}\n"
+        "T: m*(x'^2 + y'^2)/2\nforces: {x: -c*x'/s + 0.6*a*t, y: -c*y'/s + 0.8*a*t}\noutputs: {fx: -c*x'/s}\n"
+        "scenes: {a: {time: [0, 5], need: [x, y, fx]}}\n"
+    )
+    found = motion(text)
+    assert found.ended == "done" and float(found.notes[1].split()[3]) == pytest.approx(3.0, abs=1e-7)
+    assert found.rows[8] == pytest.approx((0.0, 0.0, -0.6), abs=1e-12)
+    far = 0.5 / 2 * 2**3 / 6
+    assert found.rows[-1] == pytest.approx((0.6 * far, 0.8 * far, -0.9), abs=1e-7)
+    (told,) = check(Source("puck.yaml", text)).diagnostics
+    assert told.code == "W0421" and "emitted functions refuse" in told.message and "friction holds it" in told.help[0]
 
 
 def test_a_run_that_is_to_stay_in_its_formulation_ends_where_friction_sticks() -> None:

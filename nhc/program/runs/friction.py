@@ -8,12 +8,13 @@ together no larger than c.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.exact.modular import are_zero, is_zero
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.polynomial import normalise
@@ -27,6 +28,7 @@ from nhc.program.planning.planner import Planner
 from nhc.program.runs.needed import reactions_of
 from nhc.records import record
 
+RUNS = "`nhc run` goes on from there: dry friction holds it"
 SIGN, ROOT = "sign", "sqrt"
 _TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
 
@@ -109,6 +111,14 @@ def find_friction(system: System, function: Node) -> Friction | None:
     names = [f"held{function}" + "_" * k for k in range(len(slips))]
     made = [Form(name, *form, "", None, slip) for name, form, slip in zip(names, forms, slips, strict=True)]
     return Friction(function, tuple(made), g.neg(whole), tuple(g.symbol(name, "friction") for name in names))
+
+
+def is_at_rest(system: System, node: Node, values: Mapping[Node, float]) -> bool:
+    """Whether one over a root has no value at a state since friction in a plane may hold what would slip there."""
+    g = system.graph
+    friction = find_friction(system, g.a[node]) if g.op[node] == POW and g.op[g.a[node]] == ROOT else None
+    slips = [form.value for form in friction.forms if form.value is not None] if friction is not None else []
+    return bool(slips) and not any(evaluate(g, slips, values))
 
 
 def _list_slips(graph: Graph, function: Node) -> list[Node]:

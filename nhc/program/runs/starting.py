@@ -21,6 +21,7 @@ from nhc.mechanics.starts.massless import is_massless
 from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of, start_of
 from nhc.mechanics.values import coordinate_ranges, is_outside
 from nhc.program.planning.planner import Planner
+from nhc.program.runs.friction import RUNS, is_at_rest
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 _REFUSED, _OTHER = "the functions refuse that start", "the formulation `multipliers` has no coframe"
@@ -124,6 +125,8 @@ def _tell_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, 
     if not what:
         return None
     held: tuple[str, ...] = ()
+    if part is not None and is_at_rest(system, part, values):
+        return f"emitted functions refuse the start of the scene `{start.scene.name}`: {what} there", (), (RUNS,)
     if part is not None:
         nodes, held = [part], _held_by(planner, part)
     notes, help = _advise(planner, start, nodes, zero, held)
