@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from nhc.algebra.graph import Node
 from nhc.emit.statements import list_statuses
-from nhc.language.spec import Scene
+from nhc.language.spec import Scene, reaction_name
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.resolving.drawing import Sketch
@@ -119,7 +119,7 @@ def prepare(
     system = equations.system
     planner = Planner(equations, formulation)
     columns = _list_columns(planner, recipe, scene)
-    checks = list_checks(planner) if recipe.checks else []
+    checks = _list_checks(planner, recipe)
     sketch = planned_sketch(planner) if recipe.draw else _NOTHING
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(
@@ -162,9 +162,19 @@ def prepare(
 
 
 def _list_columns(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
+    """What is needed, with friction's values in it, and nothing of the constraints that stand for friction."""
     columns = list_columns(planner, recipe.needs or tuple(need.name for need in scene.need))
-    nodes = put_values(planner, recipe.frictions, [column.node for column in columns])
-    return [replace(column, node=node) for column, node in zip(columns, nodes, strict=True)]
+    own = {reaction_name(form.name) for friction in recipe.frictions for form in friction.forms}
+    kept = [column for column in columns if column.heading not in own]
+    nodes = put_values(planner, recipe.frictions, [column.node for column in kept])
+    return [replace(column, node=node) for column, node in zip(kept, nodes, strict=True)]
+
+
+def _list_checks(planner: Planner, recipe: Recipe) -> list[Column]:
+    if not recipe.checks:
+        return []
+    own = {form.name for friction in recipe.frictions for form in friction.forms}
+    return [column for column in list_checks(planner) if column.heading not in own]
 
 
 def _exchanged(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
@@ -173,7 +183,7 @@ def _exchanged(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
     if other is None:
         return []
     columns = _list_columns(other, recipe, scene)
-    checks = list_checks(other) if recipe.checks else []
+    checks = _list_checks(other, recipe)
     return [*columns, *checks, *_drawn(planned_sketch(other) if recipe.draw else _NOTHING)]
 
 

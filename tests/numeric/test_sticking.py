@@ -170,6 +170,21 @@ def test_a_skate_that_brakes_stops_in_every_formulation() -> None:
     assert stops == pytest.approx(held + v / 0.2, abs=1e-6)
 
 
+def test_reactions_and_checks_are_those_of_the_spec() -> None:
+    """Not of what friction holds: columns are the same from the start to the end; a cart's rail holds it up."""
+    text = SKATE.replace("need: [x, y, th]", "need: [reactions, energy, v]").replace(
+        "constraints:", "outputs: {v: v}\nconstraints:"
+    )
+    text = text.replace("outputs: {v: v}", "outputs: {speed: v}").replace("energy, v]", "energy, speed]")
+    job = open_scene(Source("sticking.yaml", text), checks=True)
+    found = run(job, Settings(points=41, compiled=False))
+    assert found.ended == "done" and len(found.notes) == 2
+    assert found.headings == ("lambda_c1", "energy", "speed")
+    assert {len(row) for row in found.rows} == {3} and {len(row) for row in found.checks} == {3}
+    assert found.rows[-1][1:] == pytest.approx((0.0, 0.0), abs=1e-9)
+    assert max(abs(row[2]) for row in found.checks) < 1e-9
+
+
 def test_a_user_ends_a_run_while_something_is_held() -> None:
     found = motion(STACK, until="x - 0.01")
     assert found.ended == "event" and found.rows[-1][1] == pytest.approx(0.01, abs=1e-9)

@@ -31,10 +31,8 @@ from nhc.records import record
 RUNS = "`nhc run` goes on from there: dry friction holds it"
 SIGN, ROOT = "sign", "sqrt"
 _TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
-
-_MARGIN = Fraction(
-    1, 10**9
-)  # by which lambda^2 is more than c^2 where it breaks loose, so that it does not stick again at once
+# by which lambda^2 is more than c^2 where it breaks loose, so that it does not stick again at once
+_MARGIN = Fraction(1, 10**9)
 
 
 @record
@@ -76,9 +74,9 @@ def _reactions(planner: Planner, frictions: Sequence[Friction]) -> list[tuple[li
     left, found = reactions_of(planner), list[tuple[list[Node], Node]]()
     sizes = planner.on_motion([friction.size for friction in frictions])
     for friction, size in zip(reversed(frictions), reversed(sizes), strict=True):
-        count_of = len(friction.forms)
-        found.append((left[-count_of:], size))
-        left = left[:-count_of]
+        own = len(friction.forms)
+        found.append((left[-own:], size))
+        left = left[:-own]
     return found[::-1]
 
 
