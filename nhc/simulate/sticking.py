@@ -159,6 +159,7 @@ class Sticking:
         if place is None:
             return None
         g, frictions = job.system.graph, [self._friction_of(function) for function in self._functions(self.loose)]
+        frictions = [*dict.fromkeys((*frictions, *wanted, *recipe.frictions))]
         self._look_at_speed(job, outcome, place)
         near = [
             friction
@@ -172,7 +173,10 @@ class Sticking:
         for held in dict.fromkeys((wanted, *_list_choices(near))):
             others = [friction for friction in near if friction not in held]
             following = self._hold_by(held)
-            y = None if following is None else self._begin(following, job, outcome, others)
+            try:
+                y = None if following is None else self._begin(following, job, outcome, others)
+            except (ArithmeticError, ValueError):  # it has no values there
+                continue
             if following is not None and y is not None:
                 return following, y
         return None

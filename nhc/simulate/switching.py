@@ -132,7 +132,7 @@ class Follower:
         """What a run goes on with where dry friction begins to hold or breaks loose."""
         job, outcome = legs[-1].job, legs[-1].outcome
         recipe = job.recipe
-        if recipe is None or not recipe.weak:
+        if recipe is None or not recipe.weak or legs[-1].task.step > 0:
             return None
         if job.kept is None:
             stuck = outcome.kind == HELD or self.sticking.is_slow(job, outcome)
