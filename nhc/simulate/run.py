@@ -133,6 +133,8 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         workshop.stopped, found = True, _gather(workshop, legs)
     if workshop.stopped and found.ended in ("done", "event"):
         found = replace(found, ended="stopped")
+    if found.ended in ("done", "event") and found.job.recipe is not None and found.job.recipe.frictions:
+        found = replace(found, job=follower.job)  # not that of what friction held first
     if found.ended == "failed" and found.outcome.kind == DONE:
         found = _find_loss(found, lambda one: _go(workshop, begin(), one), task)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)

@@ -107,6 +107,7 @@ def test_two_blocks_break_loose_one_after_the_other(compiled: bool) -> None:
     found = motion(STACK, compiled=compiled)
     told = [(note.split("`")[1], note) for note in found.notes]
     assert [name for name, _ in told] == ["X'", "u'", "X'", "u'"]
+    assert found.job.formulation.name == "lagrange"  # the spec's own, and not what is held at the start
     times = [float(note.split()[3]) for _, note in told]
     assert times == pytest.approx([0.0, 0.0, 2.0, 3.6], abs=1e-7)
     for t, row in zip(found.times, found.rows, strict=True):
