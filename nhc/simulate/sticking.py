@@ -88,7 +88,9 @@ class Sticking:
             return None
         wanted = [friction for friction in recipe.frictions if friction is not released]
         found = self._settle(job, recipe, outcome, (*wanted, held) if held is not None else tuple(wanted))
-        if found is None or found[0].recipe is None or (outcome.kind in _SLOW and found[0] is job):
+        if found is None or found[0].recipe is None:
+            return None
+        if found[0] is job and outcome.kind in _SLOW and outcome.kind != SINGULAR:  # where it is slow, it moves
             return None
         self.patience = PATIENCE
         self._tell_changes(job.system, outcome.t, recipe.frictions, found[0].recipe.frictions)

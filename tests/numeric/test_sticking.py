@@ -351,6 +351,10 @@ def test_a_motion_starts_at_rest_in_a_plane() -> None:
     assert found.rows[8] == pytest.approx((0.0, 0.0, -0.6), abs=1e-12)
     far = 0.5 / 2 * 2**3 / 6
     assert found.rows[-1] == pytest.approx((0.6 * far, 0.8 * far, -0.9), abs=1e-7)
+    pulled = text.replace("0.6*a*t", "1.8").replace("0.8*a*t", "2.4")  # more than friction from the start
+    found = motion(pulled)
+    assert found.ended == "done" and not found.notes
+    assert found.rows[-1] == pytest.approx((0.6 * 9.375, 0.8 * 9.375, -0.9), rel=1e-7)
     (told,) = check(Source("puck.yaml", text)).diagnostics
     assert told.code == "W0421" and "emitted functions refuse" in told.message and "friction holds it" in told.help[0]
 

@@ -28,7 +28,7 @@ from nhc.program.planning.planner import Planner
 from nhc.program.runs.needed import reactions_of
 from nhc.records import record
 
-RUNS = "`nhc run` goes on from there: dry friction holds it"
+RUNS = "`nhc run` goes on from there: dry friction holds it, or it slips"
 SIGN, ROOT = "sign", "sqrt"
 _TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
 # by which lambda^2 is more than c^2 where it breaks loose, so that it does not stick again at once
