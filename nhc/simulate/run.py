@@ -133,8 +133,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         workshop.stopped, found = True, _gather(workshop, legs)
     if workshop.stopped and found.ended in ("done", "event"):
         found = replace(found, ended="stopped")
-    if found.ended in ("done", "event") and found.job.recipe is not None and found.job.recipe.frictions:
-        found = replace(found, job=follower.job)  # not that of what friction held first
+    found = _without_friction(found, follower)
     if found.ended == "failed" and found.outcome.kind == DONE:
         found = _find_loss(found, lambda one: _go(workshop, begin(), one), task)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)
@@ -156,6 +155,12 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         notes += _tell_short_end(found, task)
     notes += tell_conserved(job, found.rows, tolerance if settings.step <= 0 else 0.0, found.ended == "event")
     return replace(found, seconds=seconds, notes=(*dict.fromkeys((*workshop.notes, *notes, *follower.notes)),))
+
+
+def _without_friction(found: Trajectory, follower: Follower) -> Trajectory:
+    """A run to its end with the job of the spec, and not of what friction held first."""
+    held = found.job.recipe is not None and found.job.recipe.frictions
+    return replace(found, job=follower.job) if held and found.ended in ("done", "event") else found
 
 
 def _tell_jumps(legs: Sequence[Leg]) -> tuple[str, ...]:

@@ -21,7 +21,6 @@ from nhc.mechanics.starts.massless import is_massless
 from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of, start_of
 from nhc.mechanics.values import coordinate_ranges, is_outside
 from nhc.program.planning.planner import Planner
-from nhc.program.runs.friction import RUNS, is_at_rest
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 _REFUSED, _OTHER = "the functions refuse that start", "the formulation `multipliers` has no coframe"
@@ -125,9 +124,11 @@ def _tell_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, 
     if not what:
         return None
     held: tuple[str, ...] = ()
-    if part is not None and is_at_rest(system, part, values):
-        return f"emitted functions refuse the start of the scene `{start.scene.name}`: {what} there", (), (RUNS,)
     if part is not None:
+        from nhc.program.runs.friction import RUNS, is_at_rest  # here: commands that do without it start sooner
+
+        if is_at_rest(system, part, values):
+            return f"emitted functions refuse the start of the scene `{start.scene.name}`: {what} there", (), (RUNS,)
         nodes, held = [part], _held_by(planner, part)
     notes, help = _advise(planner, start, nodes, zero, held)
     message = f"the scene `{start.scene.name}` cannot run: {what} at its start"
