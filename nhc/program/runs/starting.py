@@ -92,8 +92,7 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
     expression has no value or no slope.
     """
-    told = _tell_undetermined(planner, start)
-    if told is not None:
+    if (told := _tell_undetermined(planner, start)) is not None:
         message, notes, help = told
         bag.warning("W0421", message, start.scene.span, notes=notes, help=help)
 
