@@ -52,7 +52,8 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
         "a jump of the forces, as friction by `sign(v)` makes it do where it sticks (`tanh(v/eps)` does not), or the scene is very "
         "long beside its fastest motion",
         HELD: _why_held(job, outcome),
-        NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
+        NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one"
+        f"{_tell_jumping(job)}",
     }
     return "failed", reasons.get(outcome.kind, "it fails")
 
@@ -99,6 +100,14 @@ def is_for_frame(job: Job, outcome: Outcome) -> bool:
         framed = outcome.kind == SINGULAR and outcome.status == SINGULAR_FRAME
     rank = rank_left(job, outcome) if framed else None
     return rank is not None and rank >= LOST_RANK
+
+
+def _tell_jumping(job: Job) -> str:
+    """What else to do about an implicit step where forces jump: across a jump it may have no solution at any length."""
+    leaps = job.program.driving.leaps
+    return (
+        ", or leave `--method` and `--step` out: the forces jump somewhere" if leaps is not None and leaps.lands else ""
+    )
 
 
 def _why_held(job: Job, outcome: Outcome) -> str:
