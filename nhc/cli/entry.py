@@ -131,7 +131,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         silence_streams()  # stdout cannot take what is left in its buffer
         say(f"error: cannot write: {describe_os_error(error)}\n  = help: make room, or write elsewhere with `-o`")
         return Exit.USAGE
-    except click.Abort:
+    except click.Abort:  # click has begun a new line, so that no progress stands before this
+        say("interrupted")
         return Exit.INTERRUPTED
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
