@@ -7,6 +7,7 @@ from zero than ``LIMITS`` says, the polynomial is larger than 1, whatever the mo
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isfinite
 
 from nhc.simulate.stiffness import fastest_mode
 from nhc.simulate.switching import Leg
@@ -14,7 +15,6 @@ from nhc.simulate.switching import Leg
 LIMITS = {"dop853": 6.8, "dopri5": 3.4, "rk4": 3.0}
 """Of h |lambda|: how far the region of stability reaches into the left half of the plane, at any angle."""
 _LOOKS = 6  # states of each leg
-_JUMP = 1e6  # more is a jump seen by a difference: a run that is as unstable as that does not end
 _PART = 1 / 3  # of the states that are looked at: a short passage may do no harm
 
 
@@ -30,7 +30,7 @@ def tell_unstable(legs: Sequence[Leg]) -> tuple[str, ...]:
             looks += 1
             t = leg.task.times[k]
             size = length * fastest_mode(leg.job, t, outcome.states[k])
-            if limit < size < _JUMP:
+            if isfinite(size) and size > limit:
                 beyond.append((t, size, length, leg.method))
     if not beyond or len(beyond) < _PART * looks:
         return ()
