@@ -64,8 +64,7 @@ class Sticking:
     times: list[float] = field(default_factory=list)
     speed: float = 0.0
     patience: int = PATIENCE
-    _frictions: dict[Node, Friction | None] = field(default_factory=dict)
-    _planes: list[tuple[System, list[Friction]]] = field(default_factory=list)
+    _frictions: list[tuple[System, dict[Node, Friction | None]]] = field(default_factory=list)
     _casts: list[_Cast] = field(default_factory=list)
 
     def follow(self, job: Job, outcome: Outcome) -> tuple[Job, list[float]] | None:
@@ -80,7 +79,7 @@ class Sticking:
         ):
             return None
         if not recipe.frictions and job is not self.loose:
-            self.loose, self.held, self._frictions, self._planes, self._casts = job, {}, {}, [], []
+            self.loose, self.held, self._casts = job, {}, []
         released = recipe.frictions[outcome.status - first] if outcome.kind == EVENT else None
         held = None if released is not None else self._find_held(job, recipe, outcome)
         self.patience *= 2 if outcome.kind in _SLOW else 1
@@ -100,12 +99,9 @@ class Sticking:
         """The frictions in planes that a job does not hold: its steps become short where they hold, and do not say so."""
         held = job.recipe.frictions if job.recipe is not None else ()
         system = self.loose.system if held and self.loose is not None else job.system
-        if all(owner is not system for owner, _ in self._planes):
-            g = system.graph
-            found = (find_friction(system, node) for node in reachable(g, system.Q) if g.op[node] == ROOT)
-            self._planes.append((system, [friction for friction in found if friction is not None]))
-        known = next(known for owner, known in self._planes if owner is system)
-        return [friction for friction in known if friction not in held]
+        roots = [node for node in reachable(system.graph, system.Q) if system.graph.op[node] == ROOT]
+        found = [self._friction_of(system, node) for node in roots]
+        return [friction for friction in found if friction is not None and friction not in held]
 
     def is_slow(self, job: Job, outcome: Outcome) -> bool:
         """Whether a run takes steps as short as where something is held in a plane."""
@@ -114,8 +110,8 @@ class Sticking:
 
     def _find_held(self, job: Job, recipe: Recipe, outcome: Outcome) -> Friction | None:
         """What a run begins to hold."""
-        if outcome.kind == HELD:
-            return self._friction_of(self._functions(job)[outcome.status])
+        if outcome.kind == HELD and self.loose is not None:
+            return self._friction_of(self.loose.system, self._functions(job)[outcome.status])
         place = place_of(job, recipe, outcome) if self.is_slow(job, outcome) else None
         if place is None:
             return None
@@ -160,7 +156,8 @@ class Sticking:
         place = place_of(job, recipe, outcome)
         if place is None:
             return None
-        g, frictions = job.system.graph, [self._friction_of(function) for function in self._functions(self.loose)]
+        g, system = job.system.graph, self.loose.system
+        frictions = [self._friction_of(system, function) for function in self._functions(self.loose)]
         frictions = [*dict.fromkeys((*frictions, *wanted, *recipe.frictions))]
         self._look_at_speed(job, outcome, place)
         near = [
@@ -283,11 +280,15 @@ class Sticking:
             cast.functions = [*find_functions(Planner(job.recipe.equations, job.formulation), values).values()]
         return cast.functions
 
-    def _friction_of(self, function: Node) -> Friction | None:
-        assert self.loose is not None
-        if function not in self._frictions:
-            self._frictions[function] = find_friction(self.loose.system, function)
-        return self._frictions[function]
+    def _friction_of(self, system: System, function: Node) -> Friction | None:
+        """That of a function, in a system in which nothing is held."""
+        known = next((known for owner, known in self._frictions if owner is system), None)
+        if known is None:
+            known = {}
+            self._frictions.append((system, known))
+        if function not in known:
+            known[function] = find_friction(system, function)
+        return known[function]
 
     def _model(self, job: Job, name: str) -> InterpretedModel:
         """One function of a job, for single calls."""
