@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from itertools import product
-from math import sqrt
+from math import copysign, sqrt
 
 from nhc.simulate.methods import linear
 
@@ -13,38 +13,67 @@ Slip = tuple[float, list[float], list[float]]
 _ASIDE = 1e-12  # of the largest entry of a state
 _DEPENDENT = 1e-12  # of its square, what is left of a row
 _HALVINGS = 100
+_LEVELS = (1.0, 3.0, 9.0, 27.0)  # distances from jumps
+_MANY = 12  # of these in all, for all slips that do not follow from others
+_CLEAR = 1e-3  # of the least distance, what is beside a jump
 
 
-def put_aside(y: Sequence[float], n: int, slopes: Sequence[Slip], sides: Sequence[float]) -> list[float] | None:
-    """A state near by with each slip on its side; None where there is none.
+def list_asides(y: Sequence[float], n: int, slopes: Sequence[Slip]) -> Iterator[tuple[tuple[float, ...], list[float]]]:
+    """The sides of all slips, 1 or -1, and a state near by that has them, for each way to be beside all jumps.
 
-    What follows from others is on one side or the other by how far these are from their jumps.
+    What follows from others is on one side or the other by how far these are from their jumps: several distances are tried.
     """
     size = _ASIDE * (max(map(abs, y), default=0.0) or 1.0)
-    for lengths in product((1.0, 3.0), repeat=len(slopes)):
-        aims = [side * length * size for side, length in zip(sides, lengths, strict=True)]
-        w = reach(y[n:], slopes, aims)
-        if w is not None:
-            return [*y[:n], *w]
-    return None
+    free = _list_independent([by for _, _, by in slopes])
+    levels = _LEVELS[: max(2, _MANY // max(len(free), 1))]
+    known = set[tuple[float, ...]]()
+    for aims in product([side * level for level in levels for side in (1.0, -1.0)], repeat=len(free)):
+        w = reach(y[n:], [slopes[i] for i in free], [size * aim for aim in aims])
+        if w is None:
+            continue
+        moved = [b - a for a, b in zip(y[n:], w, strict=True)]
+        slips = [slip + sum(a * b for a, b in zip(by, moved, strict=True)) for slip, _, by in slopes]
+        if any(abs(x) < _CLEAR * size * max(map(abs, by)) for x, (_, _, by) in zip(slips, slopes, strict=True)):
+            continue
+        sides = tuple(copysign(1.0, x) for x in slips)
+        if sides not in known:
+            known.add(sides)
+            yield sides, [*y[:n], *w]
+
+
+def _list_independent(rows: Sequence[Sequence[float]]) -> list[int]:
+    """The first rows that do not follow from those before them."""
+    found, basis = list[int](), list[list[float]]()
+    for i, row in enumerate(rows):
+        left = take_out(row, basis)
+        square = sum(a * a for a in left)
+        if square > _DEPENDENT * sum(a * a for a in row):
+            found.append(i)
+            basis.append([a / sqrt(square) for a in left])
+    return found
+
+
+def take_out(row: Sequence[float], basis: Sequence[Sequence[float]]) -> list[float]:
+    """What is left of a row without its parts along orthonormal ones."""
+    left = list(row)
+    for one in basis:
+        part = sum(a * b for a, b in zip(left, one, strict=True))
+        left = [a - part * b for a, b in zip(left, one, strict=True)]
+    return left
 
 
 def reach(begin: Sequence[float], slopes: Sequence[Slip], aims: Sequence[float]) -> list[float] | None:
-    """Velocities at which each slip is its aim times the largest of its slopes, or has that sign where it follows from others."""
+    """Velocities at which each slip is its aim times the largest of its slopes; None where one follows from others."""
     w, basis = list(begin), list[list[float]]()
     for aim, (slip, _, by) in zip(aims, slopes, strict=True):
-        left = list(by)
-        for one in basis:
-            part = sum(a * b for a, b in zip(left, one, strict=True))
-            left = [a - part * b for a, b in zip(left, one, strict=True)]
+        left = take_out(by, basis)
         square = sum(a * a for a in left)
-        now = slip + sum(a * (b - c) for a, b, c in zip(by, w, begin, strict=True))
-        if square > _DEPENDENT * sum(a * a for a in by):
-            step = (aim * max(map(abs, by)) - now) / square
-            w = [a + step * b for a, b in zip(w, left, strict=True)]
-            basis.append([a / square**0.5 for a in left])
-        elif not aim * now > 0.0:
+        if not square > _DEPENDENT * sum(a * a for a in by):
             return None
+        now = slip + sum(a * (b - c) for a, b, c in zip(by, w, begin, strict=True))
+        step = (aim * max(map(abs, by)) - now) / square
+        w = [a + step * b for a, b in zip(w, left, strict=True)]
+        basis.append([a / sqrt(square) for a in left])
     return w
 
 

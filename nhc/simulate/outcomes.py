@@ -116,8 +116,8 @@ def _why_held(job: Job, outcome: Outcome) -> str:
     if outcome.kind == HELD and leaps is not None and outcome.status >= 0:
         return leaps.held[outcome.status]
     return (
-        "dry friction has to let go, and no way to go on agrees with itself: where velocities that follow from each other are held "
-        "together, the equations do not tell how much each friction gives; `tanh(v/eps)` in place of `sign(v)` does"
+        "dry friction has to let go, and no way to go on agrees with itself: where frictions in planes hold what follows from each "
+        "other, the equations do not tell how much each gives; `tanh(v/eps)` in place of `sign(v)` does"
     )
 
 

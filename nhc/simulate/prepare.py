@@ -18,16 +18,17 @@ from nhc.program.model import build_program
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.beats import find_beats
 from nhc.program.runs.clock import find_stops
-from nhc.program.runs.friction import Friction, put_values
 from nhc.program.runs.hold import TORN_HOLD, hold_functions, tell_torn
 from nhc.program.runs.leaps import find_leaps
 from nhc.program.runs.needed import Column, list_checks, list_columns, needed_function, planned_sketch
+from nhc.program.runs.sharing import Held, put_values
 from nhc.program.runs.structure import Structure, structure_of
 from nhc.program.runs.watch import Event, Watch, watch_function
 from nhc.records import record
 from nhc.simulate.stepping_over import Jumping, find_jumping
 
 _NOTHING = Sketch()
+_NOTHING_HELD = Held()
 
 
 @record
@@ -37,7 +38,7 @@ class Recipe:
     ``needs``: names of what the user wants (none: the scene's own); ``event``: its zero ends the run, ``until``: its text;
     ``jacobian``: an implicit method needs it; ``hold``: states are brought back to the constraints; ``checks``: energy and
     residuals are computed as well, with ``draw`` what the spec draws; ``weak``: the coframe is watched for where it becomes
-    weak, before it is singular; ``frictions``: those that hold, as the last constraints of the equations' system.
+    weak, before it is singular; ``held``: the frictions that hold, as the last constraints of the equations' system.
     """
 
     equations: Equations
@@ -49,7 +50,7 @@ class Recipe:
     draw: bool = False
     weak: bool = False
     until: str = ""
-    frictions: tuple[Friction, ...] = ()
+    held: Held = _NOTHING_HELD
 
 
 @record
@@ -123,7 +124,7 @@ def prepare(
     sketch = planned_sketch(planner) if recipe.draw else _NOTHING
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(
-        planner, recipe.event, recipe.weak, known if fixed else {}, [start.values(system)], recipe.frictions
+        planner, recipe.event, recipe.weak, known if fixed else {}, [start.values(system)], recipe.held
     )
     structure = structure_of(planner) if natural else Structure()
     beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, recipe.hold)
@@ -164,17 +165,16 @@ def prepare(
 def _list_columns(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:
     """What is needed, with friction's values in it, and nothing of the constraints that stand for friction."""
     columns = list_columns(planner, recipe.needs or tuple(need.name for need in scene.need))
-    own = {reaction_name(form.name) for friction in recipe.frictions for form in friction.forms}
+    own = {reaction_name(name) for name in recipe.held.names}
     kept = [column for column in columns if column.heading not in own]
-    nodes = put_values(planner, recipe.frictions, [column.node for column in kept])
+    nodes = put_values(planner, recipe.held, [column.node for column in kept])
     return [replace(column, node=node) for column, node in zip(kept, nodes, strict=True)]
 
 
 def _list_checks(planner: Planner, recipe: Recipe) -> list[Column]:
     if not recipe.checks:
         return []
-    own = {form.name for friction in recipe.frictions for form in friction.forms}
-    return [column for column in list_checks(planner) if column.heading not in own]
+    return [column for column in list_checks(planner) if column.heading not in recipe.held.names]
 
 
 def _exchanged(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column]:

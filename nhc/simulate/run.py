@@ -159,7 +159,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
 
 def _without_friction(found: Trajectory, follower: Follower) -> Trajectory:
     """A run to its end with the job of the spec, and not of what friction held first."""
-    held = found.job.recipe is not None and found.job.recipe.frictions
+    held = found.job.recipe is not None and found.job.recipe.held.frictions
     return replace(found, job=follower.job) if held and found.ended in ("done", "event") else found
 
 

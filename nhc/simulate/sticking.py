@@ -7,27 +7,26 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations, product
+from itertools import combinations
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.exact.modular import rank
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.walks import reachable
 from nhc.diagnostics import SpecError
-from nhc.mechanics.choosing.choose import Formulation, choose
 from nhc.mechanics.choosing.refusal import NotApplicable
-from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.system import System
 from nhc.program.planning.planner import Planner
-from nhc.program.runs.friction import ROOT, Friction, find_friction, hold, let_idle
+from nhc.program.runs.friction import ROOT, Friction, find_friction
 from nhc.program.runs.leaps import find_functions, name_argument
-from nhc.simulate.aside import Slip, find_way, put_aside, reach
+from nhc.program.runs.sharing import list_following
+from nhc.simulate.aside import Slip, find_way, list_asides, reach
 from nhc.simulate.carrying import carry, place_of
+from nhc.simulate.held import hold_by
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.prepare import Job, Recipe, prepare
+from nhc.simulate.prepare import Job, Recipe
 from nhc.simulate.task import EVENT, HELD, SINGULAR, STALLED, TOO_MANY, UNDERFLOW, Outcome
 
 TOLD = 6  # changes that are told one by one
@@ -37,7 +36,7 @@ _NEAR = 1e-10  # of the largest velocity: slower, a body is at rest
 _SLOW = (TOO_MANY, STALLED, UNDERFLOW, SINGULAR)
 _SHORT = 1e-9  # of a run: shorter steps tell that something is held in a plane
 PATIENCE = 1000  # steps after which that is looked for, and twice as many each time that it is in vain
-_TOGETHER = 4  # bodies that come to rest at one time: there are sixteen ways to go on
+_TOGETHER = 7  # frictions that come to rest at one time
 _SLIGHT = 1e-6  # of the largest rate: what a rate may be by rounding
 
 
@@ -60,7 +59,7 @@ class Sticking:
     tell: Callable[[str], None]
     changes: int = 0
     loose: Job | None = None
-    held: dict[tuple[Node, ...], Job | None] = field(default_factory=dict)
+    held: dict[frozenset[Node], Job | None] = field(default_factory=dict)
     times: list[float] = field(default_factory=list)
     speed: float = 0.0
     patience: int = PATIENCE
@@ -78,26 +77,26 @@ class Sticking:
             outcome.kind in (HELD, *_SLOW) or (outcome.kind == EVENT and outcome.status >= first)
         ):
             return None
-        if not recipe.frictions and job is not self.loose:
+        if not recipe.held.frictions and job is not self.loose:
             self.loose, self.held, self._casts = job, {}, []
-        released = recipe.frictions[outcome.status - first] if outcome.kind == EVENT else None
-        held = None if released is not None else self._find_held(job, recipe, outcome)
+        released = recipe.held.releases[outcome.status - first].frictions if outcome.kind == EVENT else ()
+        held = None if released else self._find_held(job, recipe, outcome)
         self.patience *= 2 if outcome.kind in _SLOW else 1
-        if (held is None and released is None) or not self._gets_on(job, outcome.t):
+        if (held is None and not released) or not self._gets_on(job, outcome.t):
             return None
-        wanted = [friction for friction in recipe.frictions if friction is not released]
+        wanted = [friction for friction in recipe.held.frictions if friction not in released]
         found = self._settle(job, recipe, outcome, (*wanted, held) if held is not None else tuple(wanted))
         if found is None or found[0].recipe is None:
             return None
         if found[0] is job and outcome.kind in _SLOW and outcome.kind != SINGULAR:  # where it is slow, it moves
             return None
         self.patience = PATIENCE
-        self._tell_changes(job.system, outcome.t, recipe.frictions, found[0].recipe.frictions)
+        self._tell_changes(job.system, outcome.t, recipe.held.frictions, found[0].recipe.held.frictions)
         return found
 
     def list_planes(self, job: Job) -> list[Friction]:
         """The frictions in planes that a job does not hold: its steps become short where they hold, and do not say so."""
-        held = job.recipe.frictions if job.recipe is not None else ()
+        held = job.recipe.held.frictions if job.recipe is not None else ()
         system = self.loose.system if held and self.loose is not None else job.system
         roots = [node for node in reachable(system.graph, system.Q) if system.graph.op[node] == ROOT]
         found = [self._friction_of(system, node) for node in roots]
@@ -128,16 +127,14 @@ class Sticking:
         return len(self.times) <= _MOST or abs(self.times[-_MOST - 1] - t) > _NOTHING * abs(job.time[1] - job.time[0])
 
     def _tell_changes(self, system: System, t: float, before: Sequence[Friction], after: Sequence[Friction]) -> None:
-        lines = [
-            f"at t = {t:.9g} `{name_argument(system, friction.function)}` breaks loose"
-            for friction in before
-            if friction not in after
-        ]
-        lines += [
-            f"from t = {t:.9g} on dry friction holds `{name_argument(system, friction.function)}` at zero"
-            for friction in after
-            if friction not in before
-        ]
+        loose, held = (
+            [f"`{name_argument(system, friction.function)}`" for friction in some if friction not in rest]
+            for some, rest in ((before, after), (after, before))
+        )
+        lines = (
+            [f"at t = {t:.9g} {' and '.join(loose)} {'break' if len(loose) > 1 else 'breaks'} loose"] if loose else []
+        )
+        lines += [f"from t = {t:.9g} on dry friction holds {' and '.join(held)} at zero"] if held else []
         for line in lines:
             self.changes += 1
             if self.changes <= TOLD:
@@ -158,25 +155,29 @@ class Sticking:
             return None
         g, system = job.system.graph, self.loose.system
         frictions = [self._friction_of(system, function) for function in self._functions(self.loose)]
-        frictions = [*dict.fromkeys((*frictions, *wanted, *recipe.frictions))]
+        frictions = [*dict.fromkeys((*frictions, *wanted, *recipe.held.frictions))]
         self._look_at_speed(job, outcome, place)
         near = [
             friction
             for friction in frictions
             if friction is not None
             and _value(g, friction.size, place) > 0.0
-            and (friction in wanted or friction in recipe.frictions or _is_still(g, friction, place, self.speed))
+            and (friction in wanted or friction in recipe.held.frictions or _is_still(g, friction, place, self.speed))
         ]
         if not all(friction in near for friction in wanted) or len(near) > _TOGETHER + len(wanted):
             return None
+        tried = list[Job]()
         for held in dict.fromkeys((wanted, *_list_choices(near))):
-            others = [friction for friction in near if friction not in held]
             following = self._hold_by(held)
+            if following is None or following.recipe is None or any(following is other for other in tried):
+                continue
+            tried.append(following)
+            others = [friction for friction in near if friction not in following.recipe.held.frictions]
             try:
-                y = None if following is None else self._begin(following, job, outcome, others)
+                y = self._begin(following, job, outcome, others)
             except (ArithmeticError, ValueError):  # it has no values there
                 continue
-            if following is not None and y is not None:
+            if y is not None:
                 return following, y
         return None
 
@@ -194,9 +195,8 @@ class Sticking:
             return self._leave_plane(following, t, y, slopes[0]) if len(slopes) == 1 else None
         rows = [row for (row,) in slopes]
         best, least, most = None, 0.0, 0.0
-        for sides in product((1.0, -1.0), repeat=len(rows)):
-            aside = put_aside(y, following.system.n, rows, sides)
-            if aside is None or not self._is_enough(following, t, aside):
+        for sides, aside in list_asides(y, following.system.n, rows):
+            if not self._is_enough(following, t, aside):
                 continue
             rates = [side * rate for side, rate in zip(sides, self._rates(following, t, aside, rows), strict=True)]
             most = max([most, *map(abs, rates)])
@@ -243,24 +243,28 @@ class Sticking:
         """Whether the frictions that hold are as large as they have to be."""
         assert job.recipe is not None
         first = 0 if job.recipe.event is None else 1
-        if not job.recipe.frictions:
+        if not job.recipe.held.releases:
             return True
         values = self._model(job, "watch").watch(t, y, job.p)
-        return all(value > 0.0 for value in values[first : first + len(job.recipe.frictions)])
+        return all(value > 0.0 for value in values[first : first + len(job.recipe.held.releases)])
 
     # --- what is made once ----------------------------------------------------------------------------------------------
 
     def _hold_by(self, frictions: tuple[Friction, ...]) -> Job | None:
-        """The job in which these hold; None where they follow from the constraints or from each other, or the rest does not tell
+        """The job in which these hold, and what follows from them; None where the constraints hold them, or the rest does not tell
         the motion.
         """
         assert self.loose is not None and self.loose.recipe is not None
         if not frictions:
             return self.loose
-        key = tuple(friction.function for friction in frictions)
+        system, order = self.loose.system, self._functions(self.loose)
+        known = (self._friction_of(system, function) for function in order)
+        left = [friction for friction in known if friction is not None and friction not in frictions]
+        whole = (*frictions, *list_following(system, frictions, left))
+        key = frozenset(friction.function for friction in whole)
         if key not in self.held:
             try:
-                self.held[key] = _make_held(self.loose, self.loose.recipe, frictions)
+                self.held[key] = hold_by(self.loose, self.loose.recipe, whole)
             except (NotApplicable, Singular, SpecError):
                 self.held[key] = None
         return self.held[key]
@@ -297,28 +301,6 @@ class Sticking:
             functions = tuple(function for function in job.program.functions if function.name == name)
             models[name] = InterpretedModel(replace(job.program, functions=functions), job.events)
         return models[name]
-
-
-def _make_held(loose: Job, recipe: Recipe, frictions: tuple[Friction, ...]) -> Job:
-    system = loose.system
-    for friction in frictions:
-        system = hold(system, friction)
-    if rank(system.graph, [form.coefficients for form in system.constraints]) < system.l:
-        raise Singular
-    formulation = _choose(system)
-    equations = equations_of(system, formulation)
-    without = let_idle(equations)
-    if without is not None:
-        equations = equations_of(without, formulation)
-    return prepare(replace(recipe, equations=equations, frictions=frictions), formulation, loose.start)
-
-
-def _choose(system: System) -> Formulation:
-    """The formulation that nhc chooses; quasi-velocities of the spec that are held are no choice any more."""
-    try:
-        return choose(system)
-    except NotApplicable:
-        return choose(replace(system, quasi=()))
 
 
 def _list_choices(near: Sequence[Friction]) -> Iterator[tuple[Friction, ...]]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from nhc.mechanics.choosing.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
 from nhc.program.planning.base import SINGULAR_FRAME
 from nhc.records import record
-from nhc.simulate.carrying import carry, carry_sizes, is_same, make_job, place_of
+from nhc.simulate.carrying import carry, carry_sizes, implicit_job, is_same, make_job, place_of
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
@@ -57,6 +57,7 @@ class Follower:
     changes: int = 0
     paces: int = 0
     jobs: list[Job] = field(default_factory=list)
+    implicit: list[tuple[Job, Job]] = field(default_factory=list)
     sticking: Sticking = field(init=False)
 
     def __post_init__(self) -> None:
@@ -138,11 +139,23 @@ class Follower:
             stuck = outcome.kind == HELD or self.sticking.is_slow(job, outcome)
             return (make_job(recipe, job.system, job.formulation, job), []) if stuck else None
         found = self.sticking.follow(job, outcome)
-        if outcome.kind == EVENT and recipe.frictions and (found or outcome.status > 0 or recipe.event is None):
+        if found is not None and recipe.jacobian:
+            found = self._with_jacobian(found[0]), found[1]
+        if outcome.kind == EVENT and recipe.held.frictions and (found or outcome.status > 0 or recipe.event is None):
             # the event is not the user's
             kind, status = (CROSSED, outcome.status) if found else (HELD, -1)
             legs[-1] = replace(legs[-1], outcome=replace(outcome, kind=kind, status=status))
         return found
+
+    def _with_jacobian(self, job: Job) -> Job:
+        """The job for the implicit method that the run is at."""
+        if job.recipe is None or job.recipe.jacobian:
+            return job
+        for explicit, implicit in self.implicit:
+            if explicit is job:
+                return implicit
+        self.implicit.append((job, implicit_job(job.recipe, job)))
+        return self.implicit[-1][1]
 
     def _decide(self, leg: Leg) -> Job | None:
         """The job that the run goes on with; None where it ends here."""

@@ -8,9 +8,8 @@ together no larger than c.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from fractions import Fraction
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import Singular
@@ -24,15 +23,11 @@ from nhc.algebra.solving.linear import NotLinear, linear_form, solve
 from nhc.algebra.walks import count, reachable
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.system import Form, System
-from nhc.program.planning.planner import Planner
-from nhc.program.runs.needed import reactions_of
 from nhc.records import record
 
 RUNS = "`nhc run` goes on from there: dry friction holds it, or it slips"
 SIGN, ROOT = "sign", "sqrt"
 _TERMS = 60  # of a friction's size, up to which it is brought to its canonical form
-# by which lambda^2 is more than c^2 where it breaks loose, so that it does not stick again at once
-_MARGIN = Fraction(1, 10**9)
 
 
 @record
@@ -46,38 +41,6 @@ class Friction:
     forms: tuple[Form, ...]
     size: Node
     values: tuple[Node, ...]
-
-
-def list_releases(planner: Planner, frictions: Sequence[Friction]) -> list[Node]:
-    """Values that are positive while friction holds; ``frictions`` are the last constraints of the planner's system."""
-    g, most = planner.graph, planner.graph.number(1 + _MARGIN)
-    return [
-        g.sub(g.mul(most, g.power(size, 2)), g.sum([g.power(reaction, 2) for reaction in reactions]))
-        for reactions, size in _reactions(planner, frictions)
-    ]
-
-
-def put_values(planner: Planner, frictions: Sequence[Friction], nodes: Sequence[Node]) -> list[Node]:
-    """Nodes on the motion with the reactions in place of each friction's ``values``."""
-    if not frictions:
-        return list(nodes)
-    g, found = planner.graph, dict[Node, Node]()
-    for friction, (reactions, size) in zip(frictions, _reactions(planner, frictions), strict=True):
-        found |= {value: g.neg(g.div(x, size)) for value, x in zip(friction.values, reactions, strict=True)}
-    return substitute(g, nodes, found)
-
-
-def _reactions(planner: Planner, frictions: Sequence[Friction]) -> list[tuple[list[Node], Node]]:
-    """Of each friction the reactions of its constraints, and its size."""
-    if not frictions:
-        return []
-    left, found = reactions_of(planner), list[tuple[list[Node], Node]]()
-    sizes = planner.on_motion([friction.size for friction in frictions])
-    for friction, size in zip(reversed(frictions), reversed(sizes), strict=True):
-        own = len(friction.forms)
-        found.append((left[-own:], size))
-        left = left[:-own]
-    return found[::-1]
 
 
 def find_friction(system: System, function: Node) -> Friction | None:
@@ -149,8 +112,13 @@ def _in_place(system: System, function: Node, value: Node) -> dict[Node, Node]:
     return found
 
 
-def hold(system: System, friction: Friction) -> System:
-    """The system with what is held as its last constraints, and without the friction in its forces.
+def list_signs(system: System, friction: Friction) -> set[Node]:
+    """The functions that a friction has in it: sign(v) and all sign(k v) with numbers k, or one root."""
+    return set(_in_place(system, friction.function, system.graph.zero))
+
+
+def hold(system: System, friction: Friction, follows: bool = False) -> System:
+    """The system without the friction in its forces, and with what is held as its last constraints, unless it follows from others.
 
     Raises:
         nhc.algebra.dense.Singular: an output has a direction of what does not slip, in another way than friction has.
@@ -162,7 +130,7 @@ def hold(system: System, friction: Friction) -> System:
         system,
         Q=tuple(substitute(g, system.Q, out)),
         torques=tuple((a, b, c) for a, b, c in torques),
-        constraints=(*system.constraints, *friction.forms),
+        constraints=system.constraints if follows else (*system.constraints, *friction.forms),
         outputs=tuple((name, _tell(system, friction, node)) for name, node in system.outputs),
         dependent=(),
         pulls=None,

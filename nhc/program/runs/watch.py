@@ -35,8 +35,8 @@ from nhc.program.ir import Function, Lookout
 from nhc.program.plan import GuardPlan, SolvePlan
 from nhc.program.planning.base import MASS_LOST
 from nhc.program.planning.planner import Planner
-from nhc.program.runs.friction import Friction, list_releases
 from nhc.program.runs.nearness import are_masses_regular, find_nearness
+from nhc.program.runs.sharing import Held, list_releases
 from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)
@@ -53,6 +53,7 @@ SLIGHT = Fraction(1, 10**8)
 RANK_LOST = "the constraints lose rank"
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
+_NOTHING_HELD = Held()
 _MOST_ROWS = 4  # of a matrix whose determinant is written out
 
 
@@ -133,18 +134,18 @@ def watch_function(
     weak: bool,
     known: dict[Node, tuple[float, float]],
     starts: Sequence[Mapping[Node, float]],
-    frictions: Sequence[Friction] = (),
+    held: Held = _NOTHING_HELD,
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
     ``known``: intervals of symbols beside those of the spec, such as a scene's parameters; ``starts``: values of t, q and p;
-    ``frictions``: those that hold, whose ends are events after the user's.
+    ``held``: the frictions that hold, whose ends are events after the user's.
     """
-    events, edges = _asked(planner, event, frictions)
+    events, edges = _asked(planner, event, held)
     frames = _frames(planner)
     determinants = [*_turned(planner), *_determinant(planner, known)]
     whole, solves = _whole(planner, known)
-    solves = (*solves, *(plan for plan in planner.solves if plan not in solves)) if frictions else solves
+    solves = (*solves, *(plan for plan in planner.solves if plan not in solves)) if held.frictions else solves
     # pivots of a mass matrix have no value where one of the coframe's vanishes, which is no singular place
     pivots = [] if planner.exchanges else _pivots(planner, known)
     measures = [*frames, *determinants, *pivots, *_rank(planner), *(whole or _rows(planner, starts))]
@@ -170,13 +171,13 @@ def watch_function(
     if other is None or not events:
         return planner.lower_out("watch", what, nodes, about, solves=solves), watch
     made = planner.lower_out("watch", what, nodes, about, planner.frame_guards())
-    exchanged = [*chain(*_asked(other, event, frictions)), *nodes[len(events) + len(edges) :]]
+    exchanged = [*chain(*_asked(other, event, held)), *nodes[len(events) + len(edges) :]]
     return replace(made, otherwise=other.lower_out("watch", what, exchanged, about)), watch
 
 
-def _asked(planner: Planner, event: Event | None, frictions: Sequence[Friction]) -> tuple[list[Node], list[Node]]:
+def _asked(planner: Planner, event: Event | None, held: Held) -> tuple[list[Node], list[Node]]:
     """The events, the user's first, and its edges."""
-    releases = list_releases(planner, frictions) if frictions else []
+    releases = list_releases(planner, held) if held.frictions else []
     if event is None:
         return releases, []
     value, *edges = planner.on_motion([event.value, *event.edges])
