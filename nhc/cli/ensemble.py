@@ -56,9 +56,10 @@ def run_starts(
     needs: tuple[str, ...],
     hold: bool,
     settings: Settings,
+    alone: Settings | None,
     target: Path | None,
 ) -> int:
-    """Read the table, integrate every start, write one CSV."""
+    """Read the table, integrate every start, write one CSV; ``alone``: see :func:`nhc.simulate.ensemble.run_ensemble`."""
     from nhc.language import decode
     from nhc.simulate.changes import Changes
     from nhc.simulate.ensemble import run_ensemble
@@ -91,7 +92,7 @@ def run_starts(
     check_steps(settings.step, *job.time)
     bar = Progress(0.0, 1.0, "")
     try:
-        found = run_ensemble(job, starts, settings, bar.show)
+        found = run_ensemble(job, starts, settings, bar.show, alone)
     finally:
         bar.clear()
     for note in found.notes:

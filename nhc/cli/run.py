@@ -139,6 +139,7 @@ def command(
     """
     target = _check_target(output, force)
     _check_accuracy(method, tolerance, step)
+    asked = method
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
 
@@ -150,7 +151,8 @@ def command(
 
     settings = Settings(method, tolerance, step, points or (2 if ensemble else POINTS), not interpreted)
     if ensemble:
-        return run_starts(source, ensemble, scene, time, formulation or "", needs, not drift, settings, target)
+        alone = None if stay else replace(settings, method=asked)
+        return run_starts(source, ensemble, scene, time, formulation or "", needs, not drift, settings, alone, target)
     page = target is not None and target.suffix == ".html"
     job = open_scene(
         source,

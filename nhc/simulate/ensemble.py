@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nhc.mechanics.starts.scenes import Start
 from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
@@ -14,9 +15,9 @@ from nhc.simulate.c.source import write_source
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.outcomes import is_for_frame
 from nhc.simulate.pacing import AUTO, first_method
-from nhc.simulate.prepare import Job, move_start
-from nhc.simulate.run import Settings, Trajectory, collect, list_times, tell_finest
-from nhc.simulate.task import STOPPED, News, Outcome, Task
+from nhc.simulate.prepare import Job, move_start, prepare
+from nhc.simulate.run import Settings, Trajectory, collect, list_times, run, tell_finest
+from nhc.simulate.task import HELD, STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 from nhc.simulate.workshop import Model, load
 
@@ -37,22 +38,26 @@ class Ensemble:
         return tuple((k, found) for k, found in enumerate(self.members, 1) if found.ended != "done")
 
     def advise(self) -> list[str]:
-        """What lets those starts go on that fail because the coframe of the formulation becomes singular."""
+        """What lets those starts go on that fail because they are to stay in a formulation whose coframe becomes singular."""
         lost = [number for number, found in self.failed if is_for_frame(found.job, found.outcome)]
         if not lost or self.job.formulation.frame is None:
             return []
         which = "" if len(lost) == len(self.failed) else f" for start {lost[0]}" + (", ..." if len(lost) > 1 else "")
         return [
             f"take `-f multipliers`{which}: it has no coframe that becomes singular; "
-            "or run such a start by itself, for a single run changes its coframe on the way"
+            "or leave `--stay` out: a run of its own then changes its coframe on the way"
         ]
 
 
-def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Show | None = None) -> Ensemble:
+def run_ensemble(
+    job: Job, starts: Sequence[Start], settings: Settings, show: Show | None = None, alone: Settings | None = None
+) -> Ensemble:
     """Integrate a job with a whole state from each start; one of nhc's Runge-Kutta methods, with its own or given steps.
 
-    Several starts run side by side, each with its own steps; a start that fails does not keep the others from running.
-    Ctrl-C stops it and keeps the starts before the first that is not done.  ``show`` is told the part that is done.
+    Several starts run side by side, each with its own steps; a start that fails does not keep the others from running.  With
+    ``alone`` those that only a run of their own goes on from are run again so: where dry friction holds something, or the
+    coframe becomes singular.  Ctrl-C stops it and keeps the starts before the first that is not done.  ``show`` is told the part
+    that is done.
     """
     tolerance = settings.tolerance or job.tolerance
     method = first_method(tolerance) if settings.method == AUTO else settings.method
@@ -66,11 +71,35 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
     told = None if show is None else lambda _: show(news.done / len(starts))
     outcomes = wait_for(lambda: _integrate_each(model, task, method, jobs, news), news, told)
     seconds = time.perf_counter() - before
-    members = (
+    members = [
         collect(one, method, model, task, outcome, seconds, ()) for one, outcome in zip(jobs, outcomes, strict=False)
-    )
-    finest = tell_finest(tolerance) if is_adaptive(method) and settings.step <= 0 else ()
-    return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes, *finest))
+    ]
+    if is_adaptive(method) and settings.step <= 0:
+        notes += tell_finest(tolerance)
+    if alone is not None and len(members) == len(starts):
+        notes += _go_on(job, starts, members, alone)
+    return Ensemble(job, len(starts), tuple(members), time.perf_counter() - before, (*job.notes, *notes))
+
+
+def _go_on(job: Job, starts: Sequence[Start], members: list[Trajectory], settings: Settings) -> tuple[str, ...]:
+    """Put runs of their own in place of members that only such a run goes on from; where one is stopped, the rest is left out."""
+    wanted = [
+        k
+        for k, found in enumerate(members)
+        if found.ended == "failed" and (found.outcome.kind == HELD or is_for_frame(found.job, found.outcome))
+    ]
+    if not wanted or job.recipe is None:
+        return ()
+    single = prepare(replace(job.recipe, weak=True), job.formulation, job.start, fixed=False)
+    for k in wanted:
+        found = run(move_start(single, starts[k]), settings)
+        if found.ended == "stopped":
+            del members[k:]
+            break
+        members[k] = found
+    which = f"start {wanted[0] + 1}" if len(wanted) == 1 else f"{len(wanted)} starts, {wanted[0] + 1} the first,"
+    has = "has a run of its own" if len(wanted) == 1 else "have runs of their own"
+    return (f"{which} {has}: dry friction holds something there, or other velocities take over",)
 
 
 def load_lanes(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:

@@ -267,17 +267,25 @@ scenes:
 
 
 @pytest.mark.parametrize("formulation", ["euler-lagrange", "voronec"])
-def test_starts_that_lose_their_coframe_are_told_what_keeps_none(
+def test_starts_that_lose_their_coframe_go_on(
     formulation: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     spec, starts = tmp_path / "car.yaml", tmp_path / "starts.csv"
     spec.write_text(CAR)
     starts.write_text("v,s\n0.5,1.5\n0.5,0\n0.5,1.6\n")
     asked = ["run", str(spec), "--ensemble", str(starts), "-f"]
-    assert main([*asked, formulation]) == 3
+    assert main([*asked, formulation, "--stay"]) == 3
     err = capsys.readouterr().err
     assert "2 of 3 starts fail" in err and "help: take `-f multipliers`: " in err
+    assert main([*asked, formulation]) == 0
+    found, said = capsys.readouterr()
+    assert "note: 2 starts, 1 the first, have runs of their own: " in said
     assert main([*asked, "multipliers"]) == 0
+    rows, expected = (
+        [[*map(float, line.split(","))] for line in text.split()[1:]] for text in (found, capsys.readouterr().out)
+    )
+    for row, other in zip(rows, expected, strict=True):
+        assert row == pytest.approx(other, rel=1e-5, abs=1e-6)
 
 
 def test_starts_that_fail_otherwise_are_not_sent_to_multipliers(
@@ -289,5 +297,5 @@ def test_starts_that_fail_otherwise_are_not_sent_to_multipliers(
     assert main(["run", str(spec), "--ensemble", str(starts)]) == 3
     assert "multipliers" not in capsys.readouterr().err
     starts.write_text("v,s,k\n0.5,0.5,1\n0.5,1.5,0\n")
-    assert main(["run", str(spec), "--ensemble", str(starts)]) == 3
+    assert main(["run", str(spec), "--ensemble", str(starts), "--stay"]) == 3
     assert "help: take `-f multipliers` for start 2: " in capsys.readouterr().err

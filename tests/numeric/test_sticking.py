@@ -6,13 +6,16 @@ import json
 import math
 import random
 from itertools import combinations
+from pathlib import Path
 
 import numpy
 import pytest
 from scipy.optimize import linprog
 
+from nhc.cli import main
 from nhc.language import Source
 from nhc.pipeline import check
+from nhc.simulate.changes import Changes
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 
@@ -354,8 +357,8 @@ def shake(seed: int, friction: str) -> str:
 
 @pytest.mark.parametrize("seed", [13, 75, 91])
 def test_many_frictions_at_a_time(seed: int) -> None:
-    """Beside friction that has no jump and creeps.  In 75 all start to slip at once, each faster than the next; 91 becomes stiff while
-    something is held.
+    """Beside friction that has no jump and creeps.  In 75 all start to slip at once, each faster than the next; 91
+    becomes stiff while something is held.
     """
     found = motion(shake(seed, "sign(V)"))
     beside = motion(shake(seed, "tanh(V/1e-6)"), compiled=True, method="radau5")
@@ -509,3 +512,18 @@ def test_a_pendulum_with_dry_friction_comes_to_rest_beside_its_lowest_place() ->
             low, high = (middle, high) if loses else (low, middle)
         angle = 0.5 * (low + high)
     assert abs(th) == pytest.approx(abs(angle), abs=1e-6)
+
+
+def test_starts_of_an_ensemble_stick(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each with its own friction and start, as single runs do; a start that never sticks is left as it is."""
+    spec, table = tmp_path / "thrown.yaml", tmp_path / "starts.csv"
+    spec.write_text(THROWN)
+    table.write_text("x',th',mu\n4,1,0.3\n3,1,0.2\n1,-10,0.1\n4,1,0.01\n")
+    assert main(["run", str(spec), "--scene", "throw", "--ensemble", str(table)]) == 0
+    found, said = capsys.readouterr()
+    assert "note: 3 starts, 1 the first, have runs of their own: " in said
+    ends = [[*map(float, line.split(",")[2:])] for line in found.split()[2::2]]
+    for line, row in zip(table.read_text().split()[1:], ends, strict=True):
+        values = (f"{name}={value}" for name, value in zip(("x'", "th'", "mu"), line.split(","), strict=True))
+        single = open_scene(Source("<string>", THROWN), "throw", changes=Changes(tuple(values), ""))
+        assert row == pytest.approx(run(single, Settings(points=2)).rows[-1], rel=1e-6, abs=1e-9)
