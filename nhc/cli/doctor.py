@@ -20,6 +20,7 @@ REQUIRED = ("sympy", "click", "pyyaml", "jinja2")
 EXTRAS = {
     "sim": {"numpy": "`nhc linearize`, `nhc stability`", "scipy": "`nhc stability`, SciPy's methods of `nhc run`"},
     "reference": {"heyoka": "a peer in `nhc chart`"},
+    "jax": {"jax": "`nhc emit --lang python --array jax`", "diffrax": "a peer in `nhc chart`"},
     "sundials": {"scikit-sundae": "SUNDIALS's methods of `nhc run`"},
     "bench": {"pydy": "a peer of `make bench`", "casadi": "a peer of `make bench`"},
 }

@@ -681,7 +681,7 @@ def test_a_start_that_is_completed_in_another_way_has_no_expressions() -> None:
         "nhc: 1\nsystem: pair\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nU: -x^2\nconstraints: [z' = x' + y']\n",
     )
     found = linearize(source, Request("z'=1"), Options(formulation="voronec"))
-    assert found.paper == () and found.why == "the state is no expression in the parameters"
+    assert found.paper == () and found.why == "nhc finds no expression in the parameters for the place of the motion"
 
 
 def test_an_unknown_name_in_a_value_of_a_motion_is_named() -> None:

@@ -133,6 +133,7 @@ def test_code_that_is_named_is_there(path: Path) -> None:
     files = [
         f"/{file.relative_to(ROOT).as_posix()}" for folder in folders for file in folder.rglob("*") if file.is_file()
     ]
+    files += [f"/{file.name}" for file in ROOT.glob("*.py")]
     for name in re.findall(r"`((?:\w+/)*\w+\.(?:py|jinja)|(?:\w+/)+\w+)`", path.read_text()):
         is_folder = (ROOT / name).is_dir() or (ROOT / "nhc" / name).is_dir()
         assert is_folder or any(file.endswith((f"/{name}", f"/{name}.py")) for file in files), f"no {name}"

@@ -135,7 +135,8 @@ def linearise(equations: Equations, formulation: Formulation, request: Request, 
     point = point_of(flow, scene)
     place = _exact_place(model, point, model.values(guess), steady)
     shifts = _list_shifts(model) if steady.turns else []
-    paper = _on_paper(model, place, shifts) if place else "the state is no expression in the parameters"
+    nowhere = "nhc finds no expression in the parameters for the place of the motion"
+    paper = _on_paper(model, place, shifts) if place else nowhere
     swept = sweep_along(model, scene, guess, guess, holds, request.sweep) if request.sweep else None
     if isinstance(paper, str):
         return Findings(flow, formulation, model, made, (), (), paper, swept, lost, halted, missed)
