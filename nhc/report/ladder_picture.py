@@ -33,17 +33,21 @@ MODEL, LIMIT = "#0072b2", "#d55e00"
 BOLD = ' font-weight="bold"'
 
 
-def draw_ladder(ladder: Ladder) -> str:
-    """Operations and time of a run against the error, each model with its number; below them what the numbers stand for."""
+def draw_ladder(ladder: Ladder, listed: bool = True) -> str:
+    """Operations and time of a run against the error, each model with its number; below them, where they are to be ``listed``, what
+    the numbers stand for.
+    """
     title = f"{ladder.system}, scene {ladder.scene}: size of the model against its error"
     parts = [draw_title(WIDTH / 2, 26, title, WIDTH - 20)]
     parts += _draw_plot(ladder, LEFT, "operations of the right-hand side", lambda r: float(r.size.operations))
     unit, name = _unit(max(rung.price.run for rung in ladder.rungs))
     parts += _draw_plot(ladder, SECOND, f"processor time of one run [{name}]", lambda r: r.price.run / unit)
-    lines, bottom = _draw_list(ladder, TOP + PLOT_HEIGHT + 66)
-    total = bottom + 26
-    parts += lines
-    return draw_document(WIDTH, total, parts, title)
+    below = TOP + PLOT_HEIGHT + 66.0
+    if listed:
+        lines, below = _draw_list(ladder, below)
+        parts += lines
+    lines, below = _draw_notes(ladder, below)
+    return draw_document(WIDTH, below + 16, [*parts, *lines], title)
 
 
 def _unit(seconds: float) -> tuple[float, str]:
@@ -86,13 +90,16 @@ def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:
         cells = [*row[:-1], row[-1] if len(row[-1]) <= 88 else f"{row[-1][:85]}..."]
         parts += [draw_text(x, at, text) for x, text in zip(columns, cells, strict=True)]
         at += 18
+    return parts, at + 10
+
+
+def _draw_notes(ladder: Ladder, top: float) -> tuple[list[str], float]:
     foot = (
         f"measured {print_how(ladder)}; confirmed by {ladder.confirmed}",
         "0, hollow: the full model, at the reference's own error",
         f"machine: {ladder.machine}",
     )
-    lines, below = draw_foot(LEFT - 40, at + 10, WIDTH - 2 * (LEFT - 40), foot)
-    return [*parts, *lines], below - 10
+    return draw_foot(LEFT - 40, top, WIDTH - 2 * (LEFT - 40), foot)
 
 
 def make_ladder_page(ladder: Ladder) -> str:
@@ -107,7 +114,7 @@ def make_ladder_page(ladder: Ladder) -> str:
                 ]
             )
         ),
-        "chart": draw_ladder(ladder),
+        "chart": draw_ladder(ladder, listed=False),
         "needs": [escape(need) for need in ladder.needs],
         "rungs": [
             ([mark_code(cell) for cell in row], [f"{error:.1e}" for error in rung.errors])
