@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
 from nhc.language.advice import foreign_name, meant_entry, meant_force, meant_name, meant_rate
@@ -320,6 +321,9 @@ def check_name(text: Text, bag: Bag) -> bool:
     return False
 
 
+@lru_cache(
+    maxsize=4096
+)  # a tree is itself alone, and of a spec of which parts are left out it is asked some thousand times
 def names_in(tree: Syntax) -> tuple[str, ...]:
     """Return the names that stand in an expression, or whose differentials do, each once, in the order of their first places."""
     return tuple(dict.fromkeys(node.name for node in walk(tree) if isinstance(node, Name | Differential)))
