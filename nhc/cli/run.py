@@ -285,6 +285,11 @@ def _report(found: Trajectory, target: Path | None) -> int:
     if rank is not None:
         notes.append(f"the smallest singular value of the constraints there: {rank:.3g}")
     advice = [*_advise(found, rank is not None and rank < LOST_RANK), *_end_before(found)]
+    if not advice and found.job.recipe is not None and found.outcome.t == found.job.time[0]:
+        from nhc.program.runs.undetermined import explain_start
+
+        why, advice_there = explain_start(found.job.recipe.equations, found.job.formulation, found.job.start)
+        notes, advice = [*notes, *why], [*advice_there]
     failure = f"the scene `{scene}` fails {where} ({method}): {found.reason}"
     raise Failure(failure, advice, exit=Exit.NUMERICAL, notes=notes)
 

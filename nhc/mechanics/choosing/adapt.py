@@ -20,6 +20,7 @@ from nhc.mechanics.choosing.minors import adapted_forms, stepwise_forms, unused_
 from nhc.mechanics.choosing.orders import count_weak, list_orders, may_vanish, weak_factors
 from nhc.mechanics.choosing.spins import spins
 from nhc.mechanics.choosing.stepwise import order_stepwise
+from nhc.mechanics.choosing.turned import turned_omegas
 from nhc.mechanics.frame import coordinate_form, form_value, make_frame, velocity_symbol
 from nhc.mechanics.regular.regularity import (
     choose_dependent,
@@ -182,7 +183,7 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     candidates = turning_choices(system, forms)
     best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
     if _least_at_starts(system, best) >= _WEAK**system.l:
-        return with_places(system, forms, _with_edges(system, forms, best))
+        return with_places(system, forms, _on_free_axes(system, forms, _with_edges(system, forms, best)))
     pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
     angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
     # the rates of quaternions may be regular at more places, but nobody speaks in them
@@ -190,6 +191,20 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
     soundest = max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
     return with_places(system, forms, soundest)
+
+
+def _on_free_axes(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:
+    """``best`` with an angular velocity on the other axes where constraints take a part of it and fewer pivots may vanish so."""
+    names = {form.name for form in best}
+    taken = [not names.issuperset(rotation.velocities) for rotation in system.spec.rotations]
+    if not any(taken) or not (weak := count_weak(system, best)):
+        return best
+    for own, part in zip(turned_omegas(system), taken, strict=True):
+        for k in (0, 2, 1) if part else ():
+            trial = _extend(system, forms, system.n - system.l, [*own[k:], *own[:k], *best[len(forms) :]])
+            if _least_at_starts(system, trial) >= _WEAK**system.l and count_weak(system, trial) < weak:
+                return trial
+    return best
 
 
 def _with_edges(system: System, forms: Sequence[Form], best: tuple[Form, ...]) -> tuple[Form, ...]:

@@ -59,6 +59,16 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
             _warn_of_dependent_rows(system, where_zero(system, system.graph.product(sorted(lost)), "`"), bag)
             continue
         own = len(system.quasi) > 3 * len(system.rotations)
+        form = None if own else _find_row(system, guard)
+        if form is not None:
+            bag.warning(
+                "W0408",
+                f"the velocities that nhc keeps are singular where {where}",
+                system.spec.constraint_spans.get(form.name, system.spec.kinetic.span),
+                notes=(f"`{form.name}` is solved there for a velocity that it does not hold",),
+                help=("keep away from it, or declare a `range` of the coordinates that leaves it out",),
+            )
+            continue
         other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
             "W0408",
@@ -66,6 +76,20 @@ def warn_of_quasi_velocities(system: System, formulation: Formulation, bag: Bag)
             system.spec.key_span("quasi_velocities" if own else "rotation"),
             help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
+
+
+def _find_row(system: System, guard: Node) -> Form | None:
+    """The constraint with a coefficient that vanishes with a determinant that does not hold how a rotation has turned; None where
+    there is none.
+    """
+    g, turned = system.graph, [system.q[k] for rotation in system.rotations for k in rotation.places]
+    if g.depends(guard, g.mask(turned)):
+        return None
+    factors = find_weak_factors(system, [guard])
+    rows = (
+        form for form in system.constraints if factors & find_weak_factors(system, [x for x in form.coefficients if x])
+    )
+    return next(rows, None)
 
 
 def _warn_of_dependent_rows(system: System, where: str, bag: Bag) -> None:

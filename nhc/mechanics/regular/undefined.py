@@ -16,14 +16,15 @@ from nhc.mechanics.system import System
 _LONGEST = 60  # characters that a message shows of an expression
 
 
-def find_undefined(system: System, place: dict[Node, float]) -> tuple[str, Node | None]:
-    """The first part of T, the potential, the forces and the constraints without a real, finite value, in words and as it is.
+def find_undefined(system: System, place: dict[Node, float], others: Sequence[Node] = ()) -> tuple[str, Node | None]:
+    """The first part of T, the potential, the forces and the constraints without a real, finite value, in words and as it is; or of
+    ``others``, if there are any.
 
     ``place`` gives every symbol of the system its value.  The words are empty, and the part is None, where all have a value.
     """
     graph = system.graph
-    roots = [system.T, system.U, *system.Q]
-    for form in system.constraints:
+    roots = list(others) or [system.T, system.U, *system.Q]
+    for form in () if others else system.constraints:
         roots += [*form.coefficients, form.constant]
     wrong, large = _first_undefined(graph, roots, place)
     if wrong is None:

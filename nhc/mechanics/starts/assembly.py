@@ -53,7 +53,7 @@ def assemble(system: System, place: Mapping[Node, float], free: Sequence[int]) -
     comes nearest is returned: who called looks whether the equations hold there.
     """
     loops = _Loops(system, free)
-    here = loops.look(place)
+    here = loops.look(place) if loops.weights else None  # else no equation moves any of them
     if here is None:
         return dict(place)
     loops.balance(here)

@@ -7,7 +7,7 @@ import operator
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.dense import RowSpace, Singular, pivot_signs, solve_double
+from nhc.algebra.dense import RowSpace, pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, SpecError, quote
@@ -16,11 +16,12 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choosing.choose import Formulation
 from nhc.mechanics.regular.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.regular.trials import velocity_units
-from nhc.mechanics.regular.undefined import find_pole, find_undefined
+from nhc.mechanics.regular.undefined import find_pole
 from nhc.mechanics.starts.massless import is_massless
-from nhc.mechanics.starts.scenes import Start, kept_velocities, left_at_zero, place_of, start_of
+from nhc.mechanics.starts.scenes import Start, kept_velocities, place_of, start_of
 from nhc.mechanics.values import coordinate_ranges, is_outside
 from nhc.program.planning.planner import Planner
+from nhc.program.runs.undetermined import blame, find_undetermined, tell_needed, tell_undetermined
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 _REFUSED, _OTHER = "the functions refuse that start", "the formulation `multipliers` has no coframe"
@@ -90,9 +91,9 @@ def _warn_outside(planner: Planner, start: Start, bag: Bag) -> None:
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
-    expression has no value or no slope.
+    expression has no value or no slope, or a needed output no value.
     """
-    if (told := _tell_undetermined(planner, start)) is not None:
+    if (told := tell_undetermined(planner, start) or tell_needed(planner, start)) is not None:
         message, notes, help = told
         bag.warning("W0421", message, start.scene.span, notes=notes, help=help)
 
@@ -101,72 +102,11 @@ def refuse_massless(planner: Planner, start: Start) -> None:
     """Raise ``SpecError`` (E0404) where a coordinate has no inertia at the start: the least model may not feel it."""
     if not is_massless(planner.full_equations, planner.formulation.frame, start):
         return
-    told = _tell_undetermined(planner, start)
+    told = tell_undetermined(planner, start)
     if told is not None:
         bag, (message, notes, help) = Bag(planner.system.spec.origin), told
         bag.error("E0404", message, start.scene.span, notes=notes, help=help)
         bag.raise_if_errors()
-
-
-def _tell_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...], tuple[str, ...]] | None:
-    """What keeps a scene from running at its start, with notes and help; None where nothing does."""
-    system, values = planner.system, start.values(planner.system)
-    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
-    what, zero = _find_dependent(planner, start)
-    if not what:
-        what, zero = find_undetermined(planner, start)
-    part = None
-    if not what:
-        what, part = find_undefined(system, values)
-    if not what:
-        what, _, part = find_pole(system, values)
-    if not what:
-        return None
-    held: tuple[str, ...] = ()
-    if part is not None:
-        from nhc.program.runs.friction import RUNS, is_at_rest  # here: commands that do without it start sooner
-
-        if is_at_rest(system, part, values):
-            return f"emitted functions refuse the start of the scene `{start.scene.name}`: {what} there", (), (RUNS,)
-        nodes, held = [part], _held_by(planner, part)
-    notes, help = _advise(planner, start, nodes, zero, held)
-    message = f"the scene `{start.scene.name}` cannot run: {what} at its start"
-    return message, notes, (help, *_advise_flat(planner, values))
-
-
-def _advise_flat(planner: Planner, values: dict[Node, float]) -> tuple[str, ...]:
-    """Help where the slopes of a holonomic equation vanish at a state that satisfies it, as those of a square do everywhere."""
-    form = find_dependent_row(planner.system, values)
-    if form is None or form.equation is None or any(evaluate(planner.graph, form.coefficients, values)):
-        return ()
-    return (f"if the slopes of `{form.name}` vanish wherever it holds, write `x = y` for `(x - y)^2 = 0`",)
-
-
-def _advise(
-    planner: Planner, start: Start, nodes: Sequence[Node], zero: Sequence[str], held: Sequence[str]
-) -> tuple[tuple[str, ...], str]:
-    """Notes and help on a scene that cannot run: by the parameters that are zero, by those alone that an expression without a value
-    depends on, or by the coordinates in the nodes whose start was left out.
-    """
-    names, where = quote(zero or held), "under `parameters:` or in the scene"
-    if zero:
-        return (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",), f"give {names} a value, {where}"
-    if held:
-        value = "another value" if len(held) == 1 else "other values"
-        return ("no start changes this: it depends on parameters alone",), f"give {names} {value}, {where}"
-    left = left_at_zero(planner.system, start.scene, start.values(planner.system), nodes)
-    if left:
-        return (f"{left} at 0, since `initial` does not give a value",), f"say in `initial` where {left}"
-    return (), "let it start elsewhere"
-
-
-def _held_by(planner: Planner, node: Node) -> tuple[str, ...]:
-    """The parameters of an expression that depends on nothing else; empty where it varies with the state or the time."""
-    g, system = planner.graph, planner.system
-    if g.depends(node, g.mask((system.t, *system.q, *system.v))):
-        return ()
-    named = zip(system.p, system.spec.parameters, strict=True)
-    return tuple(parameter.name for symbol, parameter in named if g.depends(node, g.deps[symbol]))
 
 
 def warn_as_given(planner: Planner, bag: Bag) -> None:
@@ -229,36 +169,6 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
         )
 
 
-def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
-    """What is singular at a start, and the parameters in it that are zero; empty where the accelerations are determined.
-
-    A coframe that is singular there is not asked for: a run begins with another.
-    """
-    g, system = planner.graph, planner.system
-    rates = kept_velocities(system, planner.kept_forms(), start)
-    values = {**dict(zip(planner.equations.motion.w, rates, strict=True)), **start.values(system)}
-    for guard in planner.mass_guards:
-        try:
-            value, scale = (float(x) for x in evaluate(g, [guard.value, guard.scale], values))
-        except (ArithmeticError, ValueError, KeyError):
-            return _NOTHING  # the coframe, or a function outside its domain
-        if math.isnan(value):
-            return _NOTHING  # a pole
-        if not abs(value) > guard.tolerance * scale:
-            return guard.what, _blame(planner, start, guard.value)
-    for solve in planner.solves:
-        flat = [entry for row in solve.matrix for entry in row]
-        try:
-            numbers = [float(x) for x in evaluate(g, flat, values)]
-            size = len(solve.matrix)
-            solve_double([numbers[i * size : (i + 1) * size] for i in range(size)], [0.0] * size)
-        except Singular:
-            return solve.what, _blame(planner, start, *flat)
-        except (ArithmeticError, ValueError, KeyError):
-            return _NOTHING
-    return _NOTHING
-
-
 def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0423) where T, at a scene's start, is negative for some motion that the constraints allow."""
     what, notes = find_negative(planner, start)
@@ -299,7 +209,7 @@ def find_negative(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]
         matrix = [[sum(map(operator.mul, one, other)) for other in moved] for one in basis]
     if not all(map(math.isfinite, (x for row in matrix for x in row))) or not _is_negative_somewhere(matrix):
         return _NOTHING
-    names = _blame(planner, start, *flat, negative=True)
+    names = blame(planner, start, *flat, negative=True)
     notes = (f"{quote(names)} {'is' if len(names) == 1 else 'are'} negative there",) if names else ()
     return "the kinetic energy is negative for some motions where this scene starts", notes
 
@@ -327,24 +237,3 @@ def _is_negative_somewhere(matrix: list[list[float]]) -> bool:
     sizes = [math.sqrt(abs(row[i])) or 1.0 for i, row in enumerate(matrix)]
     scaled = [[x / (a * b) for x, b in zip(row, sizes, strict=True)] for row, a in zip(matrix, sizes, strict=True)]
     return any(row[i] < 0.0 for i, row in enumerate(scaled)) or -1 in pivot_signs(scaled)
-
-
-def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
-    """A constraint whose row vanishes, or depends on the others, at a start; empty where there is none."""
-    values = start.values(planner.system)
-    form = find_dependent_row(planner.system, values)
-    if form is None:
-        return _NOTHING
-    moves = any(float(x) for x in evaluate(planner.graph, form.coefficients, values))
-    how = "depends on the others" if moves else "restricts no velocity"
-    return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
-
-
-def _blame(planner: Planner, start: Start, *nodes: Node, negative: bool = False) -> tuple[str, ...]:
-    """The parameters in these nodes that are zero at a start, or negative."""
-    g, system = planner.graph, planner.system
-    return tuple(
-        parameter.name
-        for symbol, parameter, value in zip(system.p, system.spec.parameters, start.p, strict=True)
-        if (value < 0.0 if negative else value == 0.0) and any(g.depends(node, g.deps[symbol]) for node in nodes)
-    )
