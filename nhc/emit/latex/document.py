@@ -11,7 +11,7 @@ from nhc.emit.environment import create_environment
 from nhc.emit.latex.inline import print_inline
 from nhc.emit.latex.math import LatexMath
 from nhc.emit.latex.names import name_document
-from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
+from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, spell_value, split_shown
 from nhc.emit.latex.width import estimate, widest_group
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii, wrap
@@ -203,7 +203,9 @@ class _Printer:
     def _cell(self, cell: str | Mark, title: str) -> str:
         if isinstance(cell, Mark):
             return f"${self.spelling.print_mark(cell)}$"
-        return spell_unit(cell) if title == "unit" else escape_breakable(clean(cell))
+        if title == "unit":
+            return spell_unit(cell)
+        return spell_value(cell) if title == "value" else escape_breakable(clean(cell))
 
     def _length(self, cell: str | Mark) -> int:
         """Of a cell, in characters; symbols and short words are one."""

@@ -141,11 +141,27 @@ def split_shown(text: str, most: int) -> list[str]:
     return [_part_ligatures(chunk) for chunk in chunks]
 
 
+_EXPRESSION = re.compile(r"(?:[0-9.]+(?:e-?[0-9]+)?|pi|sqrt\([0-9.]+\)|\^-?[0-9]+|[-+*/() ]){1,20}")
+_PLAIN = re.compile(r"[0-9.]*")
+
+
 def spell_unit(unit: str) -> str:
     """``kg*m^2`` as kg m with a raised 2."""
     parts = re.split(r"\^\(?(-?\d+(?:/\d+)?)\)?", clean(unit))
     shown = [f"$^{{{part}}}$" if k % 2 else escape_part(part).replace("*", r"\,") for k, part in enumerate(parts)]
     return "".join(shown)
+
+
+def spell_value(value: str) -> str:
+    """A value as a formula where it is an expression of numbers and pi, as ``2*sqrt(2)/3``; else as text."""
+    if not _EXPRESSION.fullmatch(value) or _PLAIN.fullmatch(value):
+        return escape_breakable(clean(value))
+    shown = re.sub(r"sqrt\(([0-9.]+)\)", r"\\sqrt{\1}", value)
+    shown = re.sub(r"\^(-?[0-9]+)", r"^{\1}", shown)
+    shown = re.sub(r"([0-9.]+)e(-?[0-9]+)", r"\1\\cdot 10^{\2}", shown)
+    shown = re.sub(r"(?<![0-9.])1\\cdot 10", "10", shown)
+    shown = re.sub(r"pi\b *", r"\\pi ", shown).replace("*", r"\,").strip()
+    return f"${shown}$"
 
 
 def _escape_character(character: str) -> str:

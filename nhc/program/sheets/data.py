@@ -164,7 +164,12 @@ def _notation(desk: Desk, sheet: DraftSheet) -> None:
     name = desk.formulation.name
     counted = _COUNTED[name if desk.system.l or name != "euler-lagrange" else "free"]
     force = "X_i" if name == "newton" else "Q_i"
-    sheet.say(f"In the general formulas {counted}. ${force}$ is the whole force, that of the potential included.")
+    own = [letter for letter in re.findall(r"\$(\w+)\$", counted) if desk.is_named(letter)]
+    shown = ", ".join(f"${letter}$" for letter in own)
+    not_own = f" There {shown} {'is' if len(own) == 1 else 'are'} not the spec's." if own else ""
+    sheet.say(
+        f"In the general formulas {counted}.{not_own} ${force}$ is the whole force, that of the potential included."
+    )
     if name in NOTATION:
         sheet.say("The constraints are written" if name == "multipliers" else "The letters are defined by")
         sheet.add(NOTATION[name])

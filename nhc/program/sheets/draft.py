@@ -172,6 +172,10 @@ class Desk:
         shown = LATIN.get(letter, letter)
         return not any(name[:1] == (shown,) and all(part.isdigit() for part in name[1:]) for name in self._taken)
 
+    def is_named(self, letter: str) -> bool:
+        """Whether the letter is a name of the spec."""
+        return (letter,) in self._taken
+
     def coordinate(self, i: int, dots: int = 0) -> Mark:
         return Mark(self.system.q_names[i], dots=dots)
 
