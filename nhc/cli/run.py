@@ -139,11 +139,13 @@ def command(
     """
     target = _check_target(output, force)
     _check_accuracy(method, tolerance, step)
-    asked = method
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
 
-        method = check_options(method, step, until, project, values, target, twice=spec == ensemble == "-")
+        asked, method = (
+            method,
+            check_options(method, step, until, project, values, target, twice=spec == ensemble == "-"),
+        )
     source = open_spec(spec)
     from nhc.simulate.changes import Changes
     from nhc.simulate.opening import open_scene

@@ -113,6 +113,14 @@ def test_loops_that_share_links() -> None:
     assert all(abs(x - y) < 0.5 for x, y in zip(start.q, (1.2, 0.1, 1.5, -0.9, 2.2), strict=True))
 
 
+@pytest.mark.parametrize("held", ["", "holonomic: ['x^2 + y^2 = 1']\n"])
+def test_what_no_equation_moves_stands_where_it_is_near_to(held: str) -> None:
+    text = f"nhc: 1\nsystem: free\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\n{held}"
+    text += "scenes: {a: {initial: {x: 1, z: {near: 0.7}}, time: [0, 1]}}\n"
+    system = resolve(decode(Source("free.yaml", text)))
+    assert start_of(system, system.spec.scenes[0]).q == (1.0, 0.0, 0.7)
+
+
 def test_no_place_near() -> None:
     """The linkage does not reach e = 0; the places that are offered are accepted as they are written."""
     text = LINKAGE.replace("e: E", "e: 0")

@@ -104,6 +104,20 @@ def test_a_coordinate_without_inertia_has_no_motion_though_the_scene_does_not_ne
     assert "fails at t = 0.0" in found.err and "the mass matrix is singular" in found.err and not found.out
 
 
+def test_a_run_that_fails_at_its_start_says_what_check_says(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "pole.yaml"
+    spec.write_text("nhc: 1\nsystem: pole\ncoordinates: [x]\nT: x'^2/2\nV: 1/x\nscenes: {a: {time: [0, 1]}}\n")
+    assert main(["run", str(spec)]) == 3 and main(["check", str(spec)]) == 0
+    found = capsys.readouterr()
+    for said in (
+        "note: `x` starts at 0, since `initial` does not give a value",
+        "help: say in `initial` where `x` starts",
+    ):
+        assert said in found.err and said in found.out
+    assert main(["run", "pendulum", "--set", "m=0"]) == 3
+    assert "note: `m` is zero there\n  = help: give `m` a value, " in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("words", [["emit", "--lang", "c", "-o", "made"], ["reduce"]])
 def test_what_is_made_for_a_scene_without_inertia_is_refused(
     words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

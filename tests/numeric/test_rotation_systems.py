@@ -16,7 +16,7 @@ from nhc.language import decode
 from nhc.mechanics.certificates.certificate import certify
 from nhc.mechanics.resolving.resolve import resolve
 from nhc.mechanics.starts.scenes import start_of
-from nhc.pipeline import Options, emit
+from nhc.pipeline import Options, check, emit
 from tests.support import error, python_model
 
 
@@ -86,6 +86,7 @@ holonomic: [A_x3*B_x1 + A_y3*B_y1 + A_z3*B_z1 = 0]
 scenes: {s: {time: [0, 1], initial: {a1: 1, b3: 1}}}
 """
 ROW = "R_z1*w1 + R_z2*w2 + R_z3*w3"
+OBLIQUE = "R_z1*w1 + 2*R_z2*w2 + R_z3*w3"  # along no axis of space
 
 
 def kept(text: str) -> list[str]:
@@ -99,11 +100,41 @@ def kept(text: str) -> list[str]:
 
 
 def test_constraints_take_the_angular_velocity_that_they_determine_at_the_start() -> None:
-    assert kept(TWIST.format(frame="body", row=ROW, angle="0.1")) == ["w1", "w2"]
-    assert kept(TWIST.format(frame="body", row=ROW, angle="pi/2")) == ["w1", "w3"]
+    assert kept(TWIST.format(frame="body", row=OBLIQUE, angle="0.1")) == ["w1", "w2"]
+    assert kept(TWIST.format(frame="body", row=OBLIQUE, angle="pi/2")) == ["w1", "w3"]
     assert kept(TWIST.format(frame="space", row="w3", angle="pi/2")) == ["w1", "w2"]
     assert kept(JOINT) == ["a1", "a2", "a3", "b1", "b3"]
     assert certify(resolve(decode(Source("s.yaml", JOINT)))).holds
+
+
+@pytest.mark.parametrize(("frame", "row"), [("body", ROW), ("space", "R_x3*w1 + R_y3*w2 + R_z3*w3")])
+def test_a_component_on_the_other_axes_leaves_the_two_beside_it_free(frame: str, row: str) -> None:
+    """Veselova's constraint: two components on the spec's axes are singular somewhere, those on the others nowhere."""
+    text = TWIST.format(frame=frame, row=row, angle="0.1").replace("T: ", "V: R_x1 + 2*R_y3 - R_z2*R_z3\nT: ")
+    assert kept(text) == ["v", "v2"]
+    assert not check(Source("s.yaml", text)).diagnostics
+    models = [
+        python_model(
+            next(iter(emit(Source("s.yaml", text), "python", Options(formulation=name)).values())), f"{frame}_{name}"
+        )
+        for name in ("", "multipliers")
+    ]
+    rng = np.random.default_rng(7)
+    for turn in (
+        Rotation.from_euler("x", 90, degrees=True),
+        Rotation.from_euler("y", 90, degrees=True),
+        *Rotation.random(20, 7),
+    ):
+        e = np.roll(turn.as_quat(), 1)
+        matrix = turn.as_matrix()
+        axis = matrix[2] if frame == "body" else matrix[:, 2]
+        w = np.cross(axis, rng.normal(size=3))
+        a, (b, c, d) = e[0], e[1:]
+        side = 1 if frame == "body" else -1
+        rows = np.array([[-b, -c, -d], [a, -side * d, side * c], [side * d, a, -side * b], [-side * c, side * b, a]])
+        v = 0.5 * rows @ w
+        found = [model.accelerations(0.0, model.state(0.0, e, v)) for model in models]
+        assert found[0] == pytest.approx(found[1], rel=1e-11, abs=1e-12)
 
 
 BLADE = """
@@ -141,7 +172,7 @@ def test_a_start_where_the_coframe_is_singular_keeps_its_digits(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """With starts at which different components are determined, the run changes over, from the start as it was given."""
-    text = TWIST.format(frame="body", row=ROW, angle="0") + (
+    text = TWIST.format(frame="body", row=OBLIQUE, angle="0") + (
         "  turned: {time: [0, 5], initial: {R: {axis: [1, 0, 0], angle: pi/2}, w1: 1, w3: 0.3}}\n"
     )
     path = tmp_path / "no_twist.yaml"

@@ -182,8 +182,9 @@ def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ..
     """
     candidates = turning_choices(system, forms)
     best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
+    best = _on_free_axes(system, forms, best)
     if _least_at_starts(system, best) >= _WEAK**system.l:
-        return with_places(system, forms, _on_free_axes(system, forms, _with_edges(system, forms, best)))
+        return with_places(system, forms, _with_edges(system, forms, best))
     pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
     angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
     # the rates of quaternions may be regular at more places, but nobody speaks in them
@@ -202,7 +203,7 @@ def _on_free_axes(system: System, forms: Sequence[Form], best: tuple[Form, ...])
     for own, part in zip(turned_omegas(system), taken, strict=True):
         for k in (0, 2, 1) if part else ():
             trial = _extend(system, forms, system.n - system.l, [*own[k:], *own[:k], *best[len(forms) :]])
-            if _least_at_starts(system, trial) >= _WEAK**system.l and count_weak(system, trial) < weak:
+            if count_weak(system, trial) < weak and _least_at_starts(system, trial) >= _WEAK**system.l:
                 return trial
     return best
 
