@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,24 +28,23 @@ LARGEST_TABLE = 256 * MIB
 
 def check_options(
     method: str, step: float, until: str, project: bool, values: tuple[str, ...], target: Path | None, *, twice: bool
-) -> str:
-    """The method of an ensemble; what an ensemble does not do is refused, and stdin that is to be read ``twice``."""
-    from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, is_adaptive
+) -> None:
+    """Refuse what an ensemble does not do, and stdin that is to be read ``twice``."""
+    from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
+    from nhc.simulate.pacing import AUTO
 
-    method = DEFAULT if method == "auto" else method
     if twice:
         raise click.UsageError("the spec or the table can come from stdin, not both")
     if until or project:
         raise click.UsageError(f"`--ensemble` and `{'--until' if until else '--project'}` exclude one another")
     if values:
         raise click.UsageError("`--ensemble` takes values from its table; make those of `--set` columns of it")
-    if method not in RUNGE_KUTTA:
+    if method != AUTO and method not in RUNGE_KUTTA:
         raise click.UsageError(f"`--ensemble` takes one of {', '.join(RUNGE_KUTTA)}, not `{method}`")
-    if not step and not is_adaptive(method):
+    if not step and method != AUTO and not is_adaptive(method):
         raise click.UsageError(f"`--ensemble` with `{method}` needs `--step`")
     if target is not None and target.suffix != ".csv":
         raise click.UsageError("`--ensemble` writes a .csv file")
-    return method
 
 
 def run_starts(
@@ -55,18 +55,21 @@ def run_starts(
     formulation: str,
     needs: tuple[str, ...],
     hold: bool,
+    stay: bool,
     settings: Settings,
-    alone: Settings | None,
     target: Path | None,
 ) -> int:
-    """Read the table, integrate every start, write one CSV; ``alone``: see :func:`nhc.simulate.ensemble.run_ensemble`."""
+    """Read the table, integrate every start, write one CSV; ``stay``: no start has a run of its own."""
     from nhc.language import decode
     from nhc.simulate.changes import Changes
     from nhc.simulate.ensemble import run_ensemble
+    from nhc.simulate.methods import DEFAULT
     from nhc.simulate.opening import open_scene
+    from nhc.simulate.pacing import AUTO
     from nhc.simulate.requests import RunError, find_scene
     from nhc.simulate.starts import extreme_scenes, list_starts, read_starts
 
+    together = replace(settings, method=DEFAULT) if settings.method == AUTO else settings
     text = _read_table(table)
     try:
         spec = decode(source)
@@ -79,7 +82,7 @@ def run_starts(
             formulation,
             changes=Changes(time=time),
             needs=needs,
-            method=settings.method,
+            method=together.method,
             hold=hold,
             whole=True,
             beside=beside,
@@ -92,7 +95,7 @@ def run_starts(
     check_steps(settings.step, *job.time)
     bar = Progress(0.0, 1.0, "")
     try:
-        found = run_ensemble(job, starts, settings, bar.show, alone)
+        found = run_ensemble(job, starts, together, bar.show, None if stay else settings)
     finally:
         bar.clear()
     for note in found.notes:

@@ -142,10 +142,7 @@ def command(
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
 
-        asked, method = (
-            method,
-            check_options(method, step, until, project, values, target, twice=spec == ensemble == "-"),
-        )
+        check_options(method, step, until, project, values, target, twice=spec == ensemble == "-")
     source = open_spec(spec)
     from nhc.simulate.changes import Changes
     from nhc.simulate.opening import open_scene
@@ -153,8 +150,7 @@ def command(
 
     settings = Settings(method, tolerance, step, points or (2 if ensemble else POINTS), not interpreted)
     if ensemble:
-        alone = None if stay else replace(settings, method=asked)
-        return run_starts(source, ensemble, scene, time, formulation or "", needs, not drift, settings, alone, target)
+        return run_starts(source, ensemble, scene, time, formulation or "", needs, not drift, stay, settings, target)
     page = target is not None and target.suffix == ".html"
     job = open_scene(
         source,
