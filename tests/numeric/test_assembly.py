@@ -121,6 +121,23 @@ def test_what_no_equation_moves_stands_where_it_is_near_to(held: str) -> None:
     assert start_of(system, system.spec.scenes[0]).q == (1.0, 0.0, 0.7)
 
 
+def test_the_place_that_is_offered_is_no_turn_away() -> None:
+    """Steps towards x = 100, which is nowhere, had gone round nine times; the coordinates that are to follow are enough."""
+    text = (
+        "nhc: 1\nsystem: crank\ncoordinates: [a, b, x]\nT: (a'^2 + b'^2 + x'^2)/2\n"
+        "holonomic: ['cos(a) + 3*cos(b) = x', 'sin(a) - 3*sin(b) = 0']\n"
+        "scenes: {s: {initial: {a: 1, b: {near: 0.2}, x: 100}, time: [0, 1]}}\n"
+    )
+    with pytest.raises(SpecError) as caught:
+        check(Source("assembly.yaml", text), explain=False)
+    (found,) = caught.value.diagnostics
+    a, b, x = (float(value) for value in re.findall(r": (-?[0-9.e-]+)", found.help[0].split("`")[1]))
+    assert abs(a) < 1 and abs(b) < 1 and x == pytest.approx(math.cos(a) + 3 * math.cos(b), abs=1e-6)
+    (offer,) = re.findall(r"`(.*)`", found.help[1])
+    mended = re.sub(r"initial: \{.*\}, time", f"initial: {{{offer}}}, time", text)
+    assert not check(Source("assembly.yaml", mended), explain=False).diagnostics
+
+
 def test_no_place_near() -> None:
     """The linkage does not reach e = 0; the places that are offered are accepted as they are written."""
     text = LINKAGE.replace("e: E", "e: 0")

@@ -60,13 +60,14 @@ def assemble(system: System, place: Mapping[Node, float], free: Sequence[int]) -
     closed = _CLOSED * (1.0 + here.size)
     led, left = loops.solve(place, closely=True)
     if left <= closed:
-        return loops.draw_near(place, led, closed)
+        return loops.turn_back(place, loops.draw_near(place, led, closed), closed)
     passed, rest = loops.solve(place, closely=False)  # a dead point lies on the way
     if not rest <= closed:
-        return passed if rest < left else led
+        return loops.turn_back(place, *((passed, rest) if rest < left else (led, left)))
     others = [loops.solve(beside, closely=True) for beside in loops.list_beside(place)]
-    nearest = min([passed, *(at for at, left in others if left <= closed)], key=lambda at: loops.distance(place, at))
-    return loops.draw_near(place, nearest, closed)
+    found = [loops.turn_back(place, at, closed) for at in (passed, *(at for at, left in others if left <= closed))]
+    nearest = min(found, key=lambda at: loops.distance(place, at))
+    return loops.turn_back(place, loops.draw_near(place, nearest, closed), closed)
 
 
 class _Loops:
@@ -132,6 +133,16 @@ class _Loops:
     def distance(self, one: Mapping[Node, float], other: Mapping[Node, float]) -> float:
         """How far the free coordinates have moved."""
         return math.hypot(*((one[q] - other[q]) / u for q, u in zip(self.symbols, self.units, strict=True)))
+
+    def turn_back(self, place: Mapping[Node, float], found: dict[Node, float], left: float) -> dict[Node, float]:
+        """``found`` without whole turns that steps have made on the way, where no more is left of the equations without them."""
+        for q in self.symbols:
+            turns = round((found[q] - place[q]) / math.tau)
+            less = {**found, q: found[q] - turns * math.tau}
+            there = self.look(less) if turns else None
+            if there is not None and there.size <= left + _CLOSED:
+                found = less
+        return found
 
     def draw_near(self, place: Mapping[Node, float], found: dict[Node, float], closed: float) -> dict[Node, float]:
         """The nearest of the places around ``found``: from it the way back, along the equations (J. B. Rosen 1961)."""

@@ -208,9 +208,10 @@ def _advise(system: System, scene: Scene, place: dict[Node, float]) -> tuple[str
         pairs = ", ".join(f"{name}={value:.10g}" for name, value in moved)
         return (f"the nearest place where the constraints hold: `{pairs}`",)
     some = ", ".join(f"{name}: {value:.10g}" for name, value in moved[:8])
-    near = ", ".join(
-        f"{name}: {{near: {value:.2g}}}" for name, value in moved[: max(1, min(len(system.constraints), 4))]
-    )
+    few = moved[: max(1, min(len(system.constraints), 4))]
+    if _distances(system, assemble(system, place, [system.q_names.index(name) for name, _ in few])):
+        few = moved[:8]  # one of the others is given where no place is
+    near = ", ".join(f"{name}: {{near: {value:.2g}}}" for name, value in few)
     return (
         f"the nearest place where the constraints hold: `{some}{', ...' if len(moved) > 8 else ''}`",
         f"or let coordinates follow from the others: `{near}`",
