@@ -41,10 +41,10 @@ if TYPE_CHECKING:
     from nhc.program.scene_model import SceneModel
     from nhc.program.validation.validate import Kept
     from nhc.simulate.changes import Changes
+    from nhc.study.chart.ahead import Show
     from nhc.study.chart.case import Study
     from nhc.study.chart.fidelity import Comparison
     from nhc.study.chart.grid import Grid
-    from nhc.study.chart.study import Show
     from nhc.study.linearization.motion import Findings, Request
     from nhc.study.simplify.elimination import Show as ShowTrial
     from nhc.study.simplify.ladder import Ladder

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -21,7 +21,7 @@ from nhc.simulate.prepare import Job
 from nhc.simulate.requests import find_need, find_scene, scene_of_needs
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
-from nhc.study.chart.ahead import compile_ahead
+from nhc.study.chart.ahead import AHEAD, Show, compile_ahead
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.case_runner import CaseRunner
 from nhc.study.chart.grid import METHODS, POINTS, SCOUT, STRUCTURE, Grid, Runs, settle_runs
@@ -33,8 +33,6 @@ from nhc.study.chart.reference import METHODS as REFERENCE_METHODS
 from nhc.study.chart.reference import Solution, make_reference
 from nhc.study.chart.single import MOST, Rig
 from nhc.study.chart.structure import prepare_natural, run_schemes
-
-Show = Callable[[float, str], None]
 
 
 def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
@@ -61,7 +59,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     schemes = [method for method in grid.methods if method in SCHEMES] or STRUCTURE
     if compiled:
         scheme_job = natural if "c" in runs.languages else None
-        compile_ahead(made.full, [*made.distinct.values()], list_compiled(methods), scheme_job, schemes)
+        compile_ahead(made.full, [*made.distinct.values()], list_compiled(methods), scheme_job, schemes, show)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
     results, costs, left, anchor = run_formulations(made, grid, runs, methods, times, solution, show)
     kept, missing = run_schemes(natural, schemes, runs, times, solution, anchor) if natural is not None else ([], [])
@@ -101,7 +99,7 @@ def run_formulations(
     anchor, costs, left = 8, list[Cost](), list[tuple[str, str]]()
     for done, (name, job) in enumerate(made.distinct.items()):
         if show is not None:
-            show(done / len(made.distinct), name)
+            show(AHEAD + (1.0 - AHEAD) * done / len(made.distinct), name)
         rig = open_rig(name, job, times, solution, methods, compiled)
         costs.append(cost_of(rig, runs.languages, made.shrunk.get(name)))
         cases = [run_rig(rig, methods, runs)]
