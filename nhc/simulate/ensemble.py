@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from nhc.mechanics.starts.scenes import Start
 from nhc.program.runs.limits import LEAST_TOLERANCE, SAFETY
+from nhc.program.runs.starting import note_negative_starts
 from nhc.records import record
 from nhc.simulate.c.compile import CompileError, build, lane_flags, tell_passing
 from nhc.simulate.c.compiled import CompiledModel
@@ -76,6 +77,8 @@ def run_ensemble(
     ]
     if is_adaptive(method) and settings.step <= 0:
         notes += tell_finest(tolerance)
+    if job.recipe is not None:
+        notes += note_negative_starts(job.recipe.equations, job.formulation, starts)
     if alone is not None and len(members) == len(starts):
         notes += _go_on(job, starts, members, alone)
     return Ensemble(job, len(starts), tuple(members), time.perf_counter() - before, (*job.notes, *notes))

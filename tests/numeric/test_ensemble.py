@@ -299,3 +299,12 @@ def test_starts_that_fail_otherwise_are_not_sent_to_multipliers(
     starts.write_text("v,s,k\n0.5,0.5,1\n0.5,1.5,0\n")
     assert main(["run", str(spec), "--ensemble", str(starts), "--stay"]) == 3
     assert "help: take `-f multipliers` for start 2: " in capsys.readouterr().err
+
+
+def test_starts_with_a_negative_energy_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    starts = tmp_path / "starts.csv"
+    starts.write_text("m1,m2\n1,1\n1,-0.5\n-1,-2\n")
+    assert main(["run", "double_pendulum", "--time", "0.1", "--ensemble", str(starts)]) == 0
+    said = capsys.readouterr().err
+    assert "note: 2 starts, 2 the first: the kinetic energy is negative for some motions" in said
+    assert "`m2` is negative there (W0423)" in said

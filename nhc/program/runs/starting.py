@@ -185,6 +185,20 @@ def note_negative(equations: Equations, formulation: Formulation, start: Start) 
     return (f"{': '.join((what, *why))} (W0423)",) if what else ()
 
 
+def note_negative_starts(equations: Equations, formulation: Formulation, starts: Sequence[Start]) -> tuple[str, ...]:
+    """The same of many starts, the first of which is named by its number from 1."""
+    if equations.definite:
+        return ()
+    planner = Planner(equations, formulation)
+    found = [(k, *find_negative(planner, start)) for k, start in enumerate(starts, 1)]
+    found = [(k, what, why) for k, what, why in found if what]
+    if not found:
+        return ()
+    k, what, why = found[0]
+    where = f"start {k}" if len(found) == 1 else f"{len(found)} starts, {k} the first"
+    return (f"{where}: {': '.join((what, *why))} (W0423)",)
+
+
 def find_negative(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
     """That T is negative for some motion that the constraints allow at a start, and what may be to blame; empty where it is not.
 
