@@ -162,7 +162,7 @@ class Bag:
         more = len(others) - _SHOWN_PLACES
         notes = (f"and at {more} more place{'s' if more > 1 else ''}",) if more > 0 else ()
         labels = [Label(place, "here too") for place in others[:_SHOWN_PLACES]]
-        return found.placed((Label(first, found.labels[0].text), *labels), (*found.notes, *notes))
+        return found.placed((Label(first, found.labels[0].text), *found.labels[1:], *labels), (*found.notes, *notes))
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

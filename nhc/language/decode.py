@@ -337,4 +337,9 @@ def decode(source: Source, asked: str = "") -> Spec:
         bag.error("E0301", "a spec is a mapping of keys to values", place, help=("begin with `nhc: 1`",))
         raise SpecError(bag.diagnostics, source)
     left_out = {text.value: text.span for text, value in root.entries if is_null(value)}
-    return _Decoder(source, merge_bases(source, root, bag), bag, asked, left_out).run()
+    made = _Decoder(source, merge_bases(source, root, bag), bag, asked, left_out)
+    sections = [section for key in _DECLARING if isinstance(section := root.get(key), Table)]
+    made.scope.left_out = {
+        fold(key.value): key.span for part in sections for key, value in part.entries if is_null(value)
+    }
+    return made.run()

@@ -51,6 +51,7 @@ class Scope:
         self.used: set[str] = set()  # entries of rotations' matrices that the spec speaks of
         self.constants: frozenset[str] = frozenset()  # names of `define` that parameters alone make up
         self.shown: dict[str, Span] = {}  # names of `define` that are outputs as well, under their own names
+        self.left_out: Mapping[str, Span] = {}  # names of a base that the spec says `null` of
         self._searches = 0
 
     # --- declarations ---
@@ -250,7 +251,8 @@ class Scope:
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
             otherwise = f"did you mean `{near}`?" if near else f"declare it under {where}"
             help = rate or foreign_name(name, known) or otherwise
-        self.bag.error("E0302", message, node.span, help=(help,))
+        gone = (Label(self.left_out[name], "left out here"),) if name in self.left_out else ()
+        self.bag.error("E0302", message, node.span, labels=gone, help=(help,))
 
     def _advise_differential(self, name: str) -> str:
         """What to write in place of the differential of something that is no position; empty for an unknown name."""

@@ -109,6 +109,15 @@ def test_a_key_that_is_needed_is_missed_where_it_is_left_out(tmp_path: Path) -> 
     assert "it is left out here; give it a value: kinetic energy" in caught.value.diagnostics[0].help[0]
 
 
+def test_a_name_that_is_needed_is_missed_where_it_is_left_out(tmp_path: Path) -> None:
+    path = put(tmp_path, base=BASE, own="nhc: 1\nextends: base.yaml\nparameters: {m: 2, k: ~}\n") / "own.yaml"
+    with pytest.raises(SpecError) as caught:
+        decode(read(path))
+    (found,) = caught.value.diagnostics
+    assert found.message == "unknown name `k`" and found.labels[1].text == "left out here"
+    assert [*map(caught.value.source.position, (label.span.start for label in found.labels))] == [(10, 4), (3, 20)]
+
+
 def test_what_no_base_has_cannot_be_left_out(tmp_path: Path) -> None:
     middle = "nhc: 1\nextends: base.yaml\nV: null\n"
     own = "nhc: 1\nextends: middle.yaml\nV: null\nscenes: {go: {initial: {y: ~}}, new: {time: [0, 1], initial: {x: null}}}\n"
