@@ -17,10 +17,10 @@ from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.outcomes import is_for_frame
 from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.prepare import Job, move_start, prepare
-from nhc.simulate.run import Settings, Trajectory, collect, list_times, run, tell_finest
+from nhc.simulate.run import Settings, Shop, Trajectory, collect, list_times, run, tell_finest
 from nhc.simulate.task import HELD, STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
-from nhc.simulate.workshop import Model, load
+from nhc.simulate.workshop import Model, Workshop, load
 
 
 @record
@@ -93,10 +93,14 @@ def _go_on(job: Job, starts: Sequence[Start], members: list[Trajectory], setting
     ]
     if not wanted or job.recipe is None:
         return ()
-    single = prepare(replace(job.recipe, weak=True), job.formulation, job.start, fixed=False)
+    single = prepare(replace(job.recipe, weak=True), job.formulation, job.start)
+    shop = Shop(Workshop(settings.compiled, None))
     for k in wanted:
-        found = run(move_start(single, starts[k]), settings)
-        if found.ended == "stopped":
+        try:
+            found = run(move_start(single, starts[k]), settings, shop=shop)
+        except KeyboardInterrupt:  # between two of its steps
+            found = None
+        if found is None or found.ended == "stopped":
             del members[k:]
             break
         members[k] = found

@@ -75,9 +75,10 @@ def open_scene(
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)
-    recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak, " ".join(until.split()))
+    told = " ".join(until.split())
+    recipe = Recipe(equations, wanted, ending, implicit, hold, checks, draw, weak, told, fixed=not beside)
     job = prepare_reduced(recipe, form, start) if plain else None
-    job = job or prepare(recipe, form, start, natural=natural, fixed=not beside)
+    job = job or prepare(recipe, form, start, natural=natural)
     doubtful = (*note_units(spec, chosen, source), *note_negative(equations, form, start))
     job = replace(job, notes=(*notes, *unheard, *doubtful))
     lacking = job.structure.lacking

@@ -38,7 +38,8 @@ class Recipe:
     ``needs``: names of what the user wants (none: the scene's own); ``event``: its zero ends the run, ``until``: its text;
     ``jacobian``: an implicit method needs it; ``hold``: states are brought back to the constraints; ``checks``: energy and
     residuals are computed as well, with ``draw`` what the spec draws; ``weak``: the coframe is watched for where it becomes
-    weak, before it is singular; ``held``: the frictions that hold, as the last constraints of the equations' system.
+    weak, before it is singular; ``held``: the frictions that hold, as the last constraints of the equations' system;
+    ``fixed``: made for the start's values of the parameters only, not for those of all scenes.
     """
 
     equations: Equations
@@ -51,6 +52,7 @@ class Recipe:
     weak: bool = False
     until: str = ""
     held: Held = _NOTHING_HELD
+    fixed: bool = True
 
 
 @record
@@ -105,13 +107,10 @@ class Job:
         return tuple(quantity.name for quantity in self.program.state)
 
 
-def prepare(
-    recipe: Recipe, formulation: Formulation, start: Start, *, natural: bool = False, fixed: bool = True
-) -> Job:
+def prepare(recipe: Recipe, formulation: Formulation, start: Start, *, natural: bool = False) -> Job:
     """The job of a scene on the whole state of a formulation.
 
-    ``natural``: with the parts of T and V that structure-preserving methods take.  ``fixed``: watched for the start's parameters
-    only, not for those of all scenes.
+    ``natural``: with the parts of T and V that structure-preserving methods take.
 
     Raises:
         KeyError: a need that the spec does not have.
@@ -124,7 +123,7 @@ def prepare(
     sketch = planned_sketch(planner) if recipe.draw else _NOTHING
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
     watch, watched = watch_function(
-        planner, recipe.event, recipe.weak, known if fixed else {}, [start.values(system)], recipe.held
+        planner, recipe.event, recipe.weak, known if recipe.fixed else {}, [start.values(system)], recipe.held
     )
     structure = structure_of(planner) if natural else Structure()
     beside = _Beside(structure.functions) if natural else _beside_steps(planner, known, recipe.hold)

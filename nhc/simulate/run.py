@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 from nhc.program.runs.limits import FINEST, LEAST_TOLERANCE, MANY_STEPS, MOST_STEPS, SAFETY
 from nhc.records import record
@@ -18,6 +18,7 @@ from nhc.simulate.peers import PEERS
 from nhc.simulate.prepare import Job
 from nhc.simulate.ranges import tell_ranges
 from nhc.simulate.stepping_over import tell_jumps
+from nhc.simulate.sticking import Sticking
 from nhc.simulate.switching import Follower, Leg
 from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.unstable import tell_unstable
@@ -95,13 +96,22 @@ def picture_points(found: Trajectory) -> int:
     return min(math.ceil((wanted - 1) / share), _LONGEST) + 1 if share > 0 else len(found.times)
 
 
-def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
+@dataclass
+class Shop:
+    """What runs of jobs that are moved from one another have in common."""
+
+    workshop: Workshop
+    sticking: Sticking = field(default_factory=lambda: Sticking(lambda line: None))
+
+
+def run(job: Job, settings: Settings, show: Show | None = None, shop: Shop | None = None) -> Trajectory:
     """Integrate a job; ``show`` is told the time reached, some times a second.  Ctrl-C stops it and keeps what there is.
 
     Where the formulation becomes nearly singular another one takes over, and with the method ``auto`` an implicit method where
-    an explicit one is held by its stability; notes say so.
+    an explicit one is held by its stability; notes say so.  ``shop``: that of runs of jobs from which this one was moved.
     """
-    workshop = Workshop(settings.compiled, show)
+    shop = shop or Shop(Workshop(settings.compiled, show))
+    workshop = shop.workshop
     tolerance = settings.tolerance or job.tolerance
     method = first_method(tolerance) if settings.method == AUTO else settings.method
     workshop.model(job, method)  # so that compiling is not counted
@@ -111,7 +121,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     adaptive = is_adaptive(method) or method in PEERS
 
     def begin() -> Follower:
-        return Follower(job, method, workshop.integrate, settings.method == AUTO)
+        return Follower(job, method, workshop.integrate, settings.method == AUTO, sticking=shop.sticking)
 
     follower = begin()
     before, notes = time.perf_counter() - workshop.seconds, job.notes
@@ -138,11 +148,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
         found = _find_loss(found, lambda one: _go(workshop, begin(), one), task)
     notes += tell_ranges(legs, found.headings, found.times, found.rows)
     if task.step > 0 and job.jumping is not None:
-        seen = legs
-        if settings.points < _ROWS_OF_JUMPS:  # between two rows a sign may change and change back
-            between = replace(task, times=list_times(*job.time, _ROWS_OF_JUMPS))
-            seen = Follower(job, method, workshop.integrate).run(between)
-        notes += _tell_jumps(seen)
+        notes += _tell_jumps(_look_between(workshop, job, method, task, legs))
     if settings.step > 0:
         notes += (*_tell_passed(f"{method} of fixed length", task), *tell_unstable(legs))
     bounded = adaptive and settings.step <= 0 and method not in PEERS and not follower.notes
@@ -161,6 +167,14 @@ def _without_friction(found: Trajectory, follower: Follower) -> Trajectory:
     """A run to its end with the job of the spec, and not of what friction held first."""
     held = found.job.recipe is not None and found.job.recipe.held.frictions
     return replace(found, job=follower.job) if held and found.ended in ("done", "event") else found
+
+
+def _look_between(workshop: Workshop, job: Job, method: str, task: Task, legs: list[Leg]) -> list[Leg]:
+    """A run with more rows, where a sign may change and change back between two of them."""
+    if len(task.times) >= _ROWS_OF_JUMPS:
+        return legs
+    between = replace(task, times=list_times(*job.time, _ROWS_OF_JUMPS))
+    return Follower(job, method, workshop.integrate).run(between)
 
 
 def _tell_jumps(legs: Sequence[Leg]) -> tuple[str, ...]:

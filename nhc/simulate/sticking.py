@@ -26,7 +26,7 @@ from nhc.simulate.aside import Slip, find_way, list_asides, reach
 from nhc.simulate.carrying import carry, place_of
 from nhc.simulate.held import hold_by
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.prepare import Job, Recipe
+from nhc.simulate.prepare import Job, Recipe, move_start
 from nhc.simulate.task import EVENT, HELD, SINGULAR, STALLED, TOO_MANY, UNDERFLOW, Outcome
 
 TOLD = 6  # changes that are told one by one
@@ -42,10 +42,10 @@ _SLIGHT = 1e-6  # of the largest rate: what a rate may be by rounding
 
 @dataclass
 class _Cast:
-    """What is asked of a job at single states."""
+    """What is asked at single states of a job and of those that were moved from it; ``functions`` by parameters."""
 
     job: Job
-    functions: list[Node] = field(default_factory=list)
+    functions: dict[tuple[float, ...], list[Node]] = field(default_factory=dict)
     models: dict[str, InterpretedModel] = field(default_factory=dict)
     slips: dict[Node, list[Node]] = field(default_factory=dict)
 
@@ -66,6 +66,10 @@ class Sticking:
     _frictions: list[tuple[System, dict[Node, Friction | None]]] = field(default_factory=list)
     _casts: list[_Cast] = field(default_factory=list)
 
+    def begin(self, tell: Callable[[str], None]) -> None:
+        """Another run, of the same job or of one that was moved from it."""
+        self.tell, self.changes, self.times, self.speed, self.patience = tell, 0, [], 0.0, PATIENCE
+
     def follow(self, job: Job, outcome: Outcome) -> tuple[Job, list[float]] | None:
         """The job and its state that a run goes on with where friction begins to hold or breaks loose.
 
@@ -78,7 +82,9 @@ class Sticking:
         ):
             return None
         if not recipe.held.frictions and job is not self.loose:
-            self.loose, self.held, self._casts = job, {}, []
+            if self.loose is None or job.program is not self.loose.program:
+                self.held, self._casts = {}, []
+            self.loose = job
         released = recipe.held.releases[outcome.status - first].frictions if outcome.kind == EVENT else ()
         held = None if released else self._find_held(job, recipe, outcome)
         self.patience *= 2 if outcome.kind in _SLOW else 1
@@ -267,22 +273,25 @@ class Sticking:
                 self.held[key] = hold_by(self.loose, self.loose.recipe, whole)
             except (NotApplicable, Singular, SpecError):
                 self.held[key] = None
-        return self.held[key]
+        found = self.held[key]
+        if found is not None and found.start is not self.loose.start:
+            self.held[key] = found = move_start(found, self.loose.start)
+        return found
 
     def _cast(self, job: Job) -> _Cast:
         for cast in self._casts:
-            if cast.job is job:
+            if cast.job.program is job.program:
                 return cast
         self._casts.append(_Cast(job))
         return self._casts[-1]
 
     def _functions(self, job: Job) -> list[Node]:
         """Those of the arguments of a job's steps."""
-        cast = self._cast(job)
-        if not cast.functions and job.recipe is not None:
+        known = self._cast(job).functions
+        if job.p not in known and job.recipe is not None:
             values = {symbol: (value, value) for symbol, value in zip(job.system.p, job.p, strict=True)}
-            cast.functions = [*find_functions(Planner(job.recipe.equations, job.formulation), values).values()]
-        return cast.functions
+            known[job.p] = [*find_functions(Planner(job.recipe.equations, job.formulation), values).values()]
+        return known.get(job.p, [])
 
     def _friction_of(self, system: System, function: Node) -> Friction | None:
         """That of a function, in a system in which nothing is held."""

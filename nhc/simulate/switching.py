@@ -58,10 +58,7 @@ class Follower:
     paces: int = 0
     jobs: list[Job] = field(default_factory=list)
     implicit: list[tuple[Job, Job]] = field(default_factory=list)
-    sticking: Sticking = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.sticking = Sticking(self._say)
+    sticking: Sticking = field(default_factory=lambda: Sticking(lambda line: None))
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -77,7 +74,8 @@ class Follower:
         """The legs of a run; the outcome of the last one says how it ended."""
         job, legs, first = self.job, list[Leg](), task
         self.told, self.changes, self.paces = {}, 0, 0
-        pace, self.sticking = Pace(self.method, task, self.auto, self._say_pace), Sticking(self._say)
+        pace = Pace(self.method, task, self.auto, self._say_pace)
+        self.sticking.begin(self._say)
         while True:
             most = self._find_most(job, task, pace)
             outcome = self.integrate(job, pace.method, replace(task, most=min(most, pace.most)))

@@ -70,7 +70,7 @@ class _Made:
 
 @dataclass
 class Workshop:
-    """Models that are made once, and run in a thread of their own so that Ctrl-C is heard.
+    """Models that are made once for a job and those moved from it, and run in a thread of their own so that Ctrl-C is heard.
 
     ``seconds``: what making them has taken; ``stopped``: somebody has asked to stop, and no run begins any more.
     """
@@ -113,7 +113,7 @@ class Workshop:
 
     def _find(self, job: Job, method: str) -> _Made:
         for made in self._made:
-            if made.job is job and made.method == method:
+            if made.job.program is job.program and made.method == method:
                 return made
         begin, most = time.perf_counter(), _find_haste(job, method)
         model, notes = load(job, method, self.compiled, hasty=most > 0)
