@@ -86,15 +86,16 @@ def run_ensemble(
 
 def _go_on(job: Job, starts: Sequence[Start], members: list[Trajectory], settings: Settings) -> tuple[str, ...]:
     """Put runs of their own in place of members that only such a run goes on from; where one is stopped, the rest is left out."""
-    wanted = [
-        k
-        for k, found in enumerate(members)
-        if found.ended == "failed" and (found.outcome.kind == HELD or is_for_frame(found.job, found.outcome))
-    ]
+    shop = Shop(Workshop(settings.compiled, None))
+
+    def goes_on(found: Trajectory) -> bool:
+        outcome = found.outcome
+        return outcome.kind == HELD or is_for_frame(found.job, outcome) or shop.sticking.is_slow(found.job, outcome)
+
+    wanted = [k for k, found in enumerate(members) if found.ended == "failed" and goes_on(found)]
     if not wanted or job.recipe is None:
         return ()
     single = prepare(replace(job.recipe, weak=True), job.formulation, job.start)
-    shop = Shop(Workshop(settings.compiled, None))
     for k in wanted:
         try:
             found = run(move_start(single, starts[k]), settings, shop=shop)

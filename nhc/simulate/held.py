@@ -10,7 +10,7 @@ from nhc.mechanics.choosing.choose import Formulation, choose
 from nhc.mechanics.choosing.refusal import NotApplicable
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.system import System
-from nhc.program.runs.friction import Friction, hold, let_idle
+from nhc.program.runs.friction import Friction, hold, let_idle, tell
 from nhc.program.runs.sharing import hold_together
 from nhc.simulate.prepare import Job, Recipe, prepare
 
@@ -23,9 +23,12 @@ def hold_by(loose: Job, recipe: Recipe, frictions: tuple[Friction, ...]) -> Job:
         nhc.mechanics.choosing.refusal.NotApplicable: no formulation applies.
         nhc.diagnostics.SpecError: there are no equations.
     """
-    system = loose.system
+    system, event = loose.system, recipe.event
     held = hold_together(system, frictions)
     for friction in (*held.leading, *(friction for friction in held.frictions if friction not in held.leading)):
+        if event is not None:
+            edges = tuple(tell(system, friction, edge) for edge in event.edges)
+            event = replace(event, value=tell(system, friction, event.value), edges=edges)
         system = hold(system, friction, follows=friction not in held.leading)
     if not held.leading or rank(system.graph, [form.coefficients for form in system.constraints]) < system.l:
         raise Singular
@@ -34,7 +37,7 @@ def hold_by(loose: Job, recipe: Recipe, frictions: tuple[Friction, ...]) -> Job:
     without = let_idle(equations)
     if without is not None:
         equations = equations_of(without, formulation)
-    return prepare(replace(recipe, equations=equations, held=held), formulation, loose.start)
+    return prepare(replace(recipe, equations=equations, event=event, held=held), formulation, loose.start)
 
 
 def _choose(system: System) -> Formulation:

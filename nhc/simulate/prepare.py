@@ -21,7 +21,7 @@ from nhc.program.runs.clock import find_stops
 from nhc.program.runs.hold import TORN_HOLD, hold_functions, tell_torn
 from nhc.program.runs.leaps import find_leaps
 from nhc.program.runs.needed import Column, list_checks, list_columns, needed_function, planned_sketch
-from nhc.program.runs.sharing import Held, put_values
+from nhc.program.runs.sharing import Held, list_corrections, put_values
 from nhc.program.runs.structure import Structure, structure_of
 from nhc.program.runs.watch import Event, Watch, watch_function
 from nhc.records import record
@@ -166,7 +166,10 @@ def _list_columns(planner: Planner, recipe: Recipe, scene: Scene) -> list[Column
     columns = list_columns(planner, recipe.needs or tuple(need.name for need in scene.need))
     own = {reaction_name(name) for name in recipe.held.names}
     kept = [column for column in columns if column.heading not in own]
-    nodes = put_values(planner, recipe.held, [column.node for column in kept])
+    more = {reaction_name(name): node for name, node in list_corrections(planner, recipe.held).items()}
+    g = planner.graph
+    nodes = [g.add(column.node, more[column.heading]) if column.heading in more else column.node for column in kept]
+    nodes = put_values(planner, recipe.held, nodes)
     return [replace(column, node=node) for column, node in zip(kept, nodes, strict=True)]
 
 

@@ -323,6 +323,63 @@ def test_frictions_that_follow_from_each_other_share_a_load(seed: int) -> None:
         assert f"{what}'" not in loose or abs(share) == pytest.approx(1.0)
 
 
+LEGS = """nhc: 1
+system: legs
+coordinates: [a, b]
+parameters: {f1: 1, f2: 2, p: 3}
+T: (a'^2 + b'^2)/2
+constraints: [gear: a' = p*b']
+forces: {a: "t - f1*sign(a')", b: "-f2*(1 + 0.5*sin(3*t))*sign(b')"}
+outputs: {sa: sign(a'), sb: sign(b')}
+scenes: {go: {time: [0, 3], need: [a, sa, sb, lambda_gear]}}
+"""
+
+
+def test_reactions_are_those_beside_the_shares_that_are_shown() -> None:
+    """What a friction that follows from others cannot give along them, the constraint takes: t - f1 sa + lambda = a''."""
+    found = motion(LEGS)
+    loose = next(t for t in (float(note.split()[3]) for note in found.notes if "loose" in note))
+    for t, (_, sa, sb, reaction) in zip(found.times, found.rows, strict=True):
+        if t < loose:
+            second = 2 * (1 + 0.5 * math.sin(3 * t))
+            assert t - sa + reaction == pytest.approx(0.0, abs=1e-9)
+            assert -second * sb - 3 * reaction == pytest.approx(0.0, abs=1e-9)
+            assert sa == pytest.approx(sb) and 0 <= sa <= 1
+    assert loose == pytest.approx(1 + 2 * (1 + 0.5 * math.sin(3 * loose)) / 3, abs=1e-7)
+
+
+PLANE = """nhc: 1
+system: plane
+coordinates: [x, y]
+parameters: {c: 1}
+define: {s: sqrt(x'^2 + y'^2)}
+T: (x'^2 + y'^2)/2
+forces: {x: -c*x'/s + 0.5*t, y: -c*y'/s + 0.2}
+outputs: {fx: -c*x'/s}
+scenes: {go: {time: [0, 3], need: [x, y, fx]}}
+"""
+
+
+@pytest.mark.parametrize(("text", "until", "when"), [(LEGS, "sa - 0.6", None), (PLANE, "fx + 0.4", 0.8)])
+def test_a_run_ends_by_the_part_of_a_friction_that_holds(text: str, until: str, when: float | None) -> None:
+    scene = open_scene(Source("<string>", text), until=until)
+    found = run(scene, Settings(points=3))
+    value = found.rows[-1][1] if when is None else -found.rows[-1][2]
+    assert found.ended == "event" and value == pytest.approx(0.6 if when is None else 0.4, abs=1e-9)
+    assert when is None or found.times[-1] == pytest.approx(when, abs=1e-9)
+
+
+def test_a_slip_that_constraints_hold_somewhere_by_themselves_leads_no_others() -> None:
+    """Of x' and u = cos(a) x' + sin(a) y' under sin(a) x' = cos(a) y', u is held: x' is zero by itself where a = pi/2."""
+    text = (
+        "nhc: 1\nsystem: turned\ncoordinates: [x, y, a]\ndefine: {u: cos(a)*x' + sin(a)*y'}\nT: (x'^2 + y'^2 + a'^2)/2\n"
+        "constraints: [sin(a)*x' = cos(a)*y']\nforces: {x: 0.3*sin(t) - sign(x'), u: -sign(u), y: 0.1*t}\n"
+        "scenes: {go: {initial: {a: 0.5, a': 1}, time: [0, 4], need: [x, y, a]}}\n"
+    )
+    found = motion(text)
+    assert found.ended == "done" and found.rows[-1] == pytest.approx((0.0, 0.0, 4.5), abs=1e-9)
+
+
 def shake(seed: int, friction: str) -> str:
     """A spec of two or three blocks on springs, with a ``friction`` of V on the ground and between any two, which are shaken."""
     rng = random.Random(seed)
@@ -523,6 +580,11 @@ def test_starts_of_an_ensemble_stick(tmp_path: Path, capsys: pytest.CaptureFixtu
     found, said = capsys.readouterr()
     assert "note: 3 starts, 1 the first, have runs of their own: " in said
     ends = [[*map(float, line.split(",")[2:])] for line in found.split()[2::2]]
+    plane = tmp_path / "plane.yaml"
+    plane.write_text(PLANE)
+    (tmp_path / "rest.csv").write_text("y',c\n0,1\n0.5,0.3\n")
+    assert main(["run", str(plane), "--ensemble", str(tmp_path / "rest.csv"), "--need", "x,y"]) == 0
+    assert "note: start 1 has a run of its own: " in capsys.readouterr().err
     for line, row in zip(table.read_text().split()[1:], ends, strict=True):
         values = (f"{name}={value}" for name, value in zip(("x'", "th'", "mu"), line.split(","), strict=True))
         single = open_scene(Source("<string>", THROWN), "throw", changes=Changes(tuple(values), ""))

@@ -131,15 +131,19 @@ def hold(system: System, friction: Friction, follows: bool = False) -> System:
         Q=tuple(substitute(g, system.Q, out)),
         torques=tuple((a, b, c) for a, b, c in torques),
         constraints=system.constraints if follows else (*system.constraints, *friction.forms),
-        outputs=tuple((name, _tell(system, friction, node)) for name, node in system.outputs),
+        outputs=tuple((name, tell(system, friction, node)) for name, node in system.outputs),
         dependent=(),
         pulls=None,
         given=None,
     )
 
 
-def _tell(system: System, friction: Friction, output: Node) -> Node:
-    """An output with the friction's values in it."""
+def tell(system: System, friction: Friction, output: Node) -> Node:
+    """An output, or an event, with the friction's values in it.
+
+    Raises:
+        nhc.algebra.dense.Singular: it has a direction of what does not slip, in another way than friction has.
+    """
     g, function = system.graph, friction.function
     if g.op[function] == SIGN:
         return substitute(g, [output], _in_place(system, function, friction.values[0]))[0]

@@ -12,7 +12,9 @@ rest slips.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+import math
+import operator
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
@@ -22,6 +24,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import solve
+from nhc.mechanics.regular.trials import sampled_rows, trial_points
 from nhc.mechanics.system import System
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.friction import Friction, list_signs
@@ -45,21 +48,28 @@ class Release:
 
 
 @record
-class Share:
-    """The part of ``friction`` that acts: minus ``rows``, each times the held reactions, for each of its forms."""
+class Part:
+    """A friction of a group whose velocities follow from one another: ``row`` by the held forms, ``across`` by the constraints
+    of the spec, which take the rest of its force.
+    """
 
     friction: Friction
-    rows: tuple[Row, ...]
+    row: Row
+    across: Row = ()
 
 
 @record
 class Held:
-    """``frictions`` hold; the forms of the ``leading`` ones are constraints, in this order, from which the others follow."""
+    """``frictions`` hold; the forms of the ``leading`` ones are constraints, in this order, from which the others follow.
+
+    ``alone`` are those whose share is a reaction, with the rows of their forms; the others share a load in ``groups``.
+    """
 
     frictions: tuple[Friction, ...] = ()
     leading: tuple[Friction, ...] = ()
     releases: tuple[Release, ...] = ()
-    shares: tuple[Share, ...] = ()
+    alone: tuple[tuple[Friction, tuple[Row, ...]], ...] = ()
+    groups: tuple[tuple[Part, ...], ...] = ()
 
     @property
     def names(self) -> set[str]:
@@ -80,15 +90,40 @@ def list_releases(planner: Planner, held: Held) -> list[Node]:
 
 def put_values(planner: Planner, held: Held, nodes: Sequence[Node]) -> list[Node]:
     """Nodes on the motion with what acts in place of each friction's ``values``."""
-    if not held.frictions:
-        return list(nodes)
+    return substitute(planner.graph, nodes, _list_shares(planner, held)) if held.frictions else list(nodes)
+
+
+def list_corrections(planner: Planner, held: Held) -> dict[str, Node]:
+    """What the reactions of the spec's constraints have more, by their names, than those of a system without friction: of frictions
+    that follow from others, they take what these do not.
+    """
+    g, found = planner.graph, dict[str, Node]()
+    shares = _list_shares(planner, held) if held.groups else {}
+    forms = planner.system.constraints
+    for part in (part for group in held.groups for part in group if part.across):
+        pull = g.mul(shares[part.friction.values[0]], planner.on_motion([part.friction.size])[0])
+        for form, across in zip(forms, planner.on_motion(part.across), strict=False):
+            found[form.name] = g.add(found.get(form.name, g.zero), g.mul(pull, across))
+    return {name: node for name, node in found.items() if node != g.zero}
+
+
+def _list_shares(planner: Planner, held: Held) -> dict[Node, Node]:
+    """The part of each friction that acts, from -1 to 1, on the motion."""
     g, reactions = planner.graph, _held_reactions(planner, held)
-    found = {
-        value: g.neg(g.dot(planner.on_motion(row), reactions))
-        for share in held.shares
-        for value, row in zip(share.friction.values, share.rows, strict=True)
-    }
-    return substitute(g, nodes, found)
+    found = dict[Node, Node]()
+    for friction, rows in held.alone:
+        (size,) = planner.on_motion([friction.size])
+        loads = [g.dot(row, reactions) for row in rows]
+        found |= {value: g.neg(g.div(x, size)) for value, x in zip(friction.values, loads, strict=True)}
+    for group in held.groups:
+        used = _list_used(g, [part.row for part in group])
+        parts = [
+            (planner.on_motion([part.friction.size])[0], planner.on_motion([part.row[j] for j in used]))
+            for part in group
+        ]
+        shares = split_load(g, [g.neg(reactions[j]) for j in used], parts)
+        found |= {part.friction.values[0]: share for part, share in zip(group, shares, strict=True)}
+    return found
 
 
 def _held_reactions(planner: Planner, held: Held) -> list[Node]:
@@ -122,42 +157,64 @@ def hold_together(system: System, frictions: Sequence[Friction]) -> Held:
     Raises:
         Singular: too many of them follow from each other.
     """
-    g = system.graph
-    rows = [form.coefficients for form in system.constraints]
-    leading, following = list[Friction](), list[Friction]()
-    for friction in sorted(frictions, key=lambda friction: -len(friction.forms)):
+    g, own = system.graph, [form.coefficients for form in system.constraints]
+    rows, leading, following = list(own), list[Friction](), list[Friction]()
+    for friction in sorted(frictions, key=lambda friction: (-len(friction.forms), -_least_left(system, friction))):
         new = [form.coefficients for form in friction.forms]
         free = rank(g, [*rows, *new]) == len(rows) + len(new)
         (leading if free else following).append(friction)
         rows += new if free else []
-    width = sum(len(friction.forms) for friction in leading)
+    width = len(rows) - len(own)
     plane = [j for j, wide in enumerate(len(f.forms) > 1 for f in leading for _ in f.forms) if wide]
     following = [friction for friction in following if len(friction.forms) == 1]
-    unit = [tuple(g.one if i == j else g.zero for j in range(width)) for i in range(width)]
     tied = [
-        (friction, row)
-        for friction, row in zip(following, _follow(g, rows, width, following), strict=True)
-        if all(row[j] == g.zero for j in plane)
+        Part(friction, row[len(own) :], row[: len(own)])
+        for friction, row in zip(following, _follow(g, rows, following), strict=True)
+        if all(row[len(own) + j] == g.zero for j in plane)
     ]
-    releases, shares, place = list[Release](), list[Share](), 0
-    groups = list[list[tuple[Friction, Row]]]()
+    unit = [tuple(g.one if i == j else g.zero for j in range(width)) for i in range(width)]
+    releases, alone, single, place = list[Release](), list[tuple[Friction, tuple[Row, ...]]](), list[Part](), 0
     for friction in leading:
-        own = unit[place : place + len(friction.forms)]
-        place += len(own)
-        if any(_meets(g, row, own[0]) for _, row in tied):
-            groups.append([(friction, own[0])])
+        mine = tuple(unit[place : place + len(friction.forms)])
+        place += len(mine)
+        if any(_meets(g, part.row, mine[0]) for part in tied):
+            single.append(Part(friction, mine[0]))
             continue
-        releases.append(Release((friction,), friction.size, tuple(own)))
-        shares.append(Share(friction, tuple(_scaled(g, row, g.div(g.one, friction.size)) for row in own)))
-    for group in _join(groups, tied, g):
-        releases += _list_faces(g, group)
-        shares += _share(g, group)
-    known = [*leading, *(friction for friction, _ in tied)]
-    return Held(tuple(x for x in frictions if x in known), tuple(leading), tuple(releases), tuple(shares))
+        releases.append(Release((friction,), friction.size, mine))
+        alone.append((friction, mine))
+    groups = _join(single, tied, g)
+    releases += [release for group in groups for release in _list_faces(g, group)]
+    known = [*leading, *(part.friction for part in tied)]
+    held = tuple(x for x in frictions if x in known)
+    return Held(held, tuple(leading), tuple(releases), tuple(alone), tuple(map(tuple, groups)))
 
 
-def _follow(graph: Graph, rows: Sequence[Row], width: int, following: Sequence[Friction]) -> list[Row]:
-    """beta: each following slip by the held ones, which are the last ``width`` of the independent rows."""
+def _least_left(system: System, friction: Friction) -> float:
+    """What the constraints leave of a row at the worst of the trial points, in hundredths of its length: a slip that they hold at
+    some place by themselves is no good constraint there.
+    """
+    forms, least = (*system.constraints, friction.forms[0]), 1.0
+    for matrix in sampled_rows(system, forms, trial_points(system)):
+        space = list[list[float]]()
+        for row in matrix[:-1]:
+            left = _take_out(row, space)
+            length = math.hypot(*left)
+            space += [[x / length for x in left]] if length > 0.0 else []
+        whole = math.hypot(*matrix[-1])
+        least = min(least, math.hypot(*_take_out(matrix[-1], space)) / whole) if whole > 0.0 else 0.0
+    return round(least, 2)
+
+
+def _take_out(row: Sequence[float], space: Sequence[Sequence[float]]) -> list[float]:
+    left = list(row)
+    for one in space:
+        part = sum(map(operator.mul, left, one))
+        left = [a - part * b for a, b in zip(left, one, strict=True)]
+    return left
+
+
+def _follow(graph: Graph, rows: Sequence[Row], following: Sequence[Friction]) -> list[Row]:
+    """Each following slip by the independent rows, those of the constraints and then those of the held slips."""
     g = graph
     if not following:
         return []
@@ -168,23 +225,18 @@ def _follow(graph: Graph, rows: Sequence[Row], width: int, following: Sequence[F
         matrix = [[g.dot(a, b) for b in rows] for a in rows]
         right = [[g.dot(a, row) for a in rows] for row in wanted]
     found = solve(g, matrix, right).unknowns
-    parts = [[normalise(g, x, _TERMS) for x in row[len(rows) - width :]] for row in found]
+    parts = [[normalise(g, x, _TERMS) for x in row] for row in found]
     return [tuple(g.zero if is_zero(g, x) else x for x in row) for row in parts]
 
 
-def _join(
-    groups: list[list[tuple[Friction, Row]]], following: Sequence[tuple[Friction, Row]], graph: Graph
-) -> Iterator[list[tuple[Friction, Row]]]:
-    """Groups of frictions that have held velocities in common, each with its direction."""
-    for friction, row in following:
-        own = [group for group in groups if any(_meets(graph, row, other) for _, other in group)]
-        if not own:
-            continue
-        groups = [
-            *(group for group in groups if group not in own),
-            [*(x for group in own for x in group), (friction, row)],
-        ]
-    yield from groups
+def _join(single: Sequence[Part], following: Sequence[Part], graph: Graph) -> list[list[Part]]:
+    """Groups of frictions that have held velocities in common."""
+    groups = [[part] for part in single]
+    for part in following:
+        own = [group for group in groups if any(_meets(graph, part.row, other.row) for other in group)]
+        if own:
+            groups = [*(group for group in groups if group not in own), [*(x for group in own for x in group), part]]
+    return groups
 
 
 def _meets(graph: Graph, row: Row, other: Row) -> bool:
@@ -194,22 +246,36 @@ def _meets(graph: Graph, row: Row, other: Row) -> bool:
 # --- faces and shares ---------------------------------------------------------------------------------------------------
 
 
-def _list_faces(graph: Graph, group: Sequence[tuple[Friction, Row]]) -> list[Release]:
-    g, found = graph, dict[frozenset[Node], Release]()
-    used = [j for j in range(len(group[0][1])) if any(row[j] != g.zero for _, row in group)]
-    for chosen in combinations(group, len(used) - 1):
-        normal = _normal(g, [[row[j] for j in used] for _, row in chosen])
-        if all(are_zero(g, [*normal])):
-            continue
-        parts = [g.dot(normal, [row[j] for j in used]) for _, row in group]
-        slips = [not is_zero(g, part) for part in parts]
-        loose = tuple(friction for (friction, _), slip in zip(group, slips, strict=True) if slip)
-        size = g.sum(
-            [g.mul(f.size, g.function("abs", x)) for (f, _), x, slip in zip(group, parts, slips, strict=True) if slip]
-        )
+def _list_faces(graph: Graph, group: Sequence[Part]) -> list[Release]:
+    g, used = graph, _list_used(graph, [part.row for part in group])
+    found = list[Release]()
+    for normal, parts in _list_normals(g, [[part.row[j] for j in used] for part in group]):
+        loose = [(part.friction, x) for part, x in zip(group, parts, strict=True) if x != g.zero]
+        size = g.sum([g.mul(friction.size, g.function("abs", x)) for friction, x in loose])
         whole = dict(zip(used, normal, strict=True))
-        row = tuple(whole.get(j, g.zero) for j in range(len(group[0][1])))
-        found.setdefault(frozenset(friction.function for friction in loose), Release(loose, size, (row,)))
+        row = tuple(whole.get(j, g.zero) for j in range(len(group[0].row)))
+        found.append(Release(tuple(friction for friction, _ in loose), size, (row,)))
+    return found
+
+
+def _list_used(graph: Graph, rows: Sequence[Row]) -> list[int]:
+    return [j for j in range(len(rows[0])) if any(row[j] != graph.zero for row in rows)]
+
+
+def _list_normals(graph: Graph, rows: Sequence[Sequence[Node]]) -> list[tuple[list[Node], list[Node]]]:
+    """The normal of each pair of faces, and its products with all directions, which are zero where these lie in the face.
+
+    Raises:
+        Singular: there are too many.
+    """
+    g, found = graph, dict[tuple[bool, ...], tuple[list[Node], list[Node]]]()
+    for chosen in combinations(rows, len(rows[0]) - 1):
+        normal = _normal(g, chosen)
+        if all(are_zero(g, normal)):
+            continue
+        parts = [g.dot(normal, row) for row in rows]
+        parts = [g.zero if is_zero(g, x) else x for x in parts]
+        found.setdefault(tuple(x == g.zero for x in parts), (normal, parts))
         if len(found) > _FACES:
             raise Singular
     return list(found.values())
@@ -234,28 +300,39 @@ def _normal(graph: Graph, rows: Sequence[Sequence[Node]]) -> list[Node]:
     return [normalise(g, g.mul(g.number((-1) ** j), x), _TERMS) for j, x in signed]
 
 
-def _share(graph: Graph, group: Sequence[tuple[Friction, Row]]) -> list[Share]:
-    """One of the shares that carry a load: of one velocity, all frictions give the same part of what they can; of several,
-    the parts have the least sum of squares.
+def split_load(graph: Graph, load: Sequence[Node], parts: Sequence[tuple[Node, Sequence[Node]]]) -> list[Node]:
+    """One of the shares s with sum of s c a = ``load`` over the parts (c, a), none of which is larger than it has to be.
+
+    The load is k times a point of the face that it points to, k = |n . load|/h(n) being the largest of all faces; there what has
+    a part along n gives k, and what lies in the face shares the rest in the same way.  Along one direction all give the same.
     """
-    g, width = graph, len(group[0][1])
-    used = [j for j in range(width) if any(row[j] != g.zero for _, row in group)]
-    if len(used) == 1:
-        parts = [row[used[0]] for _, row in group]
-        whole = g.div(
-            g.one, g.sum([g.mul(f.size, g.function("abs", x)) for (f, _), x in zip(group, parts, strict=True)])
-        )
-        found = [[g.mul(g.function("sign", x), whole)] for x in parts]
-    else:
-        columns = [[g.mul(f.size, row[j]) for j in used] for f, row in group]
-        matrix = [[g.sum([g.mul(c[i], c[j]) for c in columns]) for j in range(len(used))] for i in range(len(used))]
-        units = [[g.one if i == j else g.zero for j in range(len(used))] for i in range(len(used))]
-        inverse = solve(g, matrix, units).unknowns
-        found = [[g.dot(row, column) for row in inverse] for column in columns]
-    wide = [dict(zip(used, row, strict=True)) for row in found]
-    rows = [tuple(row.get(j, g.zero) for j in range(width)) for row in wide]
-    return [Share(friction, (row,)) for (friction, _), row in zip(group, rows, strict=True)]
-
-
-def _scaled(graph: Graph, row: Row, factor: Node) -> Row:
-    return tuple(graph.mul(factor, x) for x in row)
+    g = graph
+    if len(load) == 1:
+        whole = g.div(load[0], g.sum([g.mul(c, g.function("abs", a[0])) for c, a in parts]))
+        return [g.mul(g.function("sign", a[0]), whole) for _, a in parts]
+    gauges, found = list[Node](), list[list[Node]]()
+    for normal, along in _list_normals(g, [a for _, a in parts]):
+        value = g.dot(normal, load)
+        size = g.sum([g.mul(c, g.function("abs", x)) for (c, _), x in zip(parts, along, strict=True)])
+        gauges.append(g.div(g.function("abs", value), size))
+        given = [g.mul(g.div(value, size), g.function("sign", x)) for x in along]
+        pulls = [g.mul(x, c) for x, (c, _) in zip(given, parts, strict=True)]
+        rest = [
+            g.sub(part, g.sum([g.mul(x, a[i]) for x, (_, a) in zip(pulls, parts, strict=True)]))
+            for i, part in enumerate(load)
+        ]
+        drop = min((j for j, x in enumerate(normal) if x != g.zero), key=lambda j: g.value(normal[j]) is None)
+        inside = [k for k, x in enumerate(along) if x == g.zero]
+        within = [(parts[k][0], [x for j, x in enumerate(parts[k][1]) if j != drop]) for k in inside]
+        shares = split_load(g, [x for j, x in enumerate(rest) if j != drop], within)
+        own = dict(zip(inside, shares, strict=True))
+        found.append([own.get(k, given[k]) for k in range(len(parts))])
+    weights = [
+        g.product([g.add(g.one, g.function("sign", g.sub(gauge, x))) for m, x in enumerate(gauges) if m != k])
+        for k, gauge in enumerate(gauges)
+    ]
+    total = g.sum(weights)
+    return [
+        g.div(g.sum([g.mul(w, row[k]) for w, row in zip(weights, found, strict=True)]), total)
+        for k in range(len(parts))
+    ]

@@ -26,7 +26,9 @@ def explain_start(
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Notes and help on a scene that fails at its start, as `nhc check` has them; empty where it says nothing."""
     told = tell_undetermined(Planner(equations, formulation), start)
-    return ((), ()) if told is None else told[1:]
+    from nhc.program.runs.friction import RUNS  # here: commands that do without it start sooner
+
+    return ((), ()) if told is None else (told[1], tuple(help for help in told[2] if help != RUNS))
 
 
 def tell_undetermined(planner: Planner, start: Start) -> Told | None:

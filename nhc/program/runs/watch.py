@@ -36,7 +36,7 @@ from nhc.program.plan import GuardPlan, SolvePlan
 from nhc.program.planning.base import MASS_LOST
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.nearness import are_masses_regular, find_nearness
-from nhc.program.runs.sharing import Held, list_releases
+from nhc.program.runs.sharing import Held, list_releases, put_values
 from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)
@@ -180,7 +180,7 @@ def _asked(planner: Planner, event: Event | None, held: Held) -> tuple[list[Node
     releases = list_releases(planner, held) if held.frictions else []
     if event is None:
         return releases, []
-    value, *edges = planner.on_motion([event.value, *event.edges])
+    value, *edges = put_values(planner, held, planner.on_motion([event.value, *event.edges]))
     return [value, *releases], edges
 
 
