@@ -74,7 +74,7 @@ class Pace:
         length = abs(outcome.t - begin) / max(outcome.steps, 1)
         if self.trial is not None:
             return self._judge(self.trial, job, outcome.t, length)
-        size = length * fastest_mode(job, outcome.t, outcome.y)
+        size = length * fastest_mode(job, outcome.t, outcome.y, length)
         self.looks *= MORE
         if self.method == IMPLICIT:
             return self._go_back(job, outcome.t, "no longer pays") if size < FREE and self.explicit else job

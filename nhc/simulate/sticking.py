@@ -34,6 +34,7 @@ _MOST, _NOTHING = 20, 1e-9  # so many times in this part of a run are no motion
 _OFF = 1e-10  # of the largest velocity: where a slip in a plane begins, whose direction is stiff by friction over mass and speed
 _NEAR = 1e-10  # of the largest velocity: slower, a body is at rest
 _SLOW = (TOO_MANY, STALLED, UNDERFLOW, SINGULAR)
+_ROUNDED = 1e3  # times a slip, of which velocities are that only differ by it
 _SHORT = 1e-9  # of a run: shorter steps tell that something is held in a plane
 PATIENCE = 1000  # steps after which that is looked for, and twice as many each time that it is in vain
 _TOGETHER = 7  # frictions that come to rest at one time
@@ -63,6 +64,7 @@ class Sticking:
     times: list[float] = field(default_factory=list)
     speed: float = 0.0
     patience: int = PATIENCE
+    rounded: list[int] = field(default_factory=list)
     _frictions: list[tuple[System, dict[Node, Friction | None]]] = field(default_factory=list)
     _casts: list[_Cast] = field(default_factory=list)
 
@@ -229,7 +231,18 @@ class Sticking:
         rates = [self._rates(job, t, find_state(unit), rows) for unit in units]
         way = find_way(rates[:count], rates[count:], _SLIGHT)
         aside = None if way is None else find_state(way)
-        return aside if aside is not None and self._is_enough(job, t, aside) else None
+        if aside is None or not self._is_enough(job, t, aside):
+            return None
+        inside = [i for i in range(len(aside) - n) if any(row[2][i] for row in rows)]
+        self.rounded = inside if max((abs(aside[n + i]) for i in inside), default=0.0) > _ROUNDED * size else []
+        return aside
+
+    def widen(self, job: Job, sizes: Sequence[float]) -> tuple[float, ...]:
+        """The sizes of a state where a slip begins that is what larger velocities leave: their rounding is in all its parts."""
+        n, inside = job.system.n, self.rounded if sizes else []
+        largest = max((sizes[n + i] for i in inside), default=0.0)
+        self.rounded = []
+        return tuple(largest if k - n in inside else size for k, size in enumerate(sizes))
 
     def _slopes(self, job: Job, friction: Friction, t: float, y: Sequence[float]) -> list[Slip]:
         assert job.recipe is not None

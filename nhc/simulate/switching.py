@@ -99,7 +99,7 @@ class Follower:
             if outcome.t == task.times[0]:  # nothing came of it
                 legs.pop()
                 rest = task.times[1:]
-            sizes = carry_sizes(job, following, outcome)
+            sizes = self.sticking.widen(following, carry_sizes(job, following, outcome))
             job, task = following, replace(task, y=y, times=(outcome.t, *rest), sizes=sizes)
 
     def _repeat(self, whole: Job, task: Task) -> list[Leg]:

@@ -360,6 +360,26 @@ scenes: {go: {time: [0, 3], need: [x, y, fx]}}
 """
 
 
+MOVING = """nhc: 1
+system: moving
+coordinates: [x, y]
+parameters: {c: 2.9}
+define: {vx: SLIP, s: sqrt(vx^2 + y'^2)}
+T: (x'^2 + y'^2)/2
+forces: {vx: -c*vx/s, y: -c*y'/s + 0.4*t, x: "1.5*sin(0.5*t) - SHAKE"}
+scenes: {go: {time: [0, 5], need: [y, y']}}
+"""
+
+
+def test_friction_on_a_ground_that_moves_is_that_on_one_at_rest() -> None:
+    """A slip that is what is left of two velocities begins with their rounding; seen from the ground it has none."""
+    found = motion(MOVING.replace("SLIP", "x' - 0.6*sin(2*t)").replace("SHAKE", "0"), compiled=True)
+    beside = motion(MOVING.replace("SLIP", "x'").replace("SHAKE", "1.2*cos(2*t)"), compiled=True)
+    assert found.ended == beside.ended == "done" and found.rows[-1][0] > 1e-3
+    for row, other in zip(found.rows, beside.rows, strict=True):
+        assert row == pytest.approx(other, rel=1e-6, abs=1e-9)
+
+
 @pytest.mark.parametrize(("text", "until", "when"), [(LEGS, "sa - 0.6", None), (PLANE, "fx + 0.4", 0.8)])
 def test_a_run_ends_by_the_part_of_a_friction_that_holds(text: str, until: str, when: float | None) -> None:
     scene = open_scene(Source("<string>", text), until=until)
