@@ -389,6 +389,30 @@ def test_a_run_ends_by_the_part_of_a_friction_that_holds(text: str, until: str, 
     assert when is None or found.times[-1] == pytest.approx(when, abs=1e-9)
 
 
+BELTS = """nhc: 1
+system: belts
+coordinates: [x]
+parameters: {c: 2, d: 0.5, V: 0.6, W: -0.4, k: 3}
+define: {p: x - V*t, q: x - W*sin(t)}
+T: x'^2/2
+V: k*x^2/2
+forces: {p: -c*S(p'), q: -d*S(q')}
+scenes: {s: {initial: {x': -1}, time: [0, 12], need: [x, x']}}
+"""
+
+
+@pytest.mark.parametrize("low", [-0.4, 0.9])
+def test_slips_on_belts_do_not_follow_from_each_other(low: float) -> None:
+    """One velocity, two slips: while one is held the other is what the belts differ by, which vanishes at times where W is 0.9."""
+    text = BELTS.replace("W: -0.4", f"W: {low}")
+    found = motion(text.replace("S(", "sign("))
+    smooth = text.replace("S(p')", "tanh(p'/1e-7)").replace("S(q')", "tanh(q'/1e-7)")
+    beside = motion(smooth, compiled=True, method="radau5")
+    assert found.ended == beside.ended == "done" and len(found.notes) > 2
+    for row, other in zip(found.rows, beside.rows, strict=True):
+        assert row == pytest.approx(other, abs=5e-6)
+
+
 def test_a_slip_that_constraints_hold_somewhere_by_themselves_leads_no_others() -> None:
     """Of x' and u = cos(a) x' + sin(a) y' under sin(a) x' = cos(a) y', u is held: x' is zero by itself where a = pi/2."""
     text = (

@@ -25,7 +25,7 @@ from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import solve
 from nhc.mechanics.regular.trials import sampled_rows, trial_points
-from nhc.mechanics.system import System
+from nhc.mechanics.system import Form, System
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.friction import Friction, list_signs
 from nhc.program.runs.needed import reactions_of
@@ -136,12 +136,12 @@ def _held_reactions(planner: Planner, held: Held) -> list[Node]:
 def list_following(system: System, held: Sequence[Friction], others: Sequence[Friction]) -> list[Friction]:
     """Those of ``others`` whose slips vanish with those that are held, and not by the constraints alone."""
     g, own = system.graph, [form.coefficients for form in system.constraints]
-    rows = [*own, *(form.coefficients for friction in held for form in friction.forms)]
+    rows = _list_whole((*system.constraints, *(form for friction in held for form in friction.forms)))
     most = rank(g, rows)
 
     def follows(friction: Friction) -> bool:
         new = [form.coefficients for form in friction.forms]
-        return rank(g, [*rows, *new]) == most and rank(g, [*own, *new]) > len(own)
+        return rank(g, [*rows, *_list_whole(friction.forms)]) == most and rank(g, [*own, *new]) > len(own)
 
     found, known = list[Friction](), {node for friction in held for node in list_signs(system, friction)}
     for friction in others:
@@ -151,11 +151,16 @@ def list_following(system: System, held: Sequence[Friction], others: Sequence[Fr
     return found
 
 
+def _list_whole(forms: Sequence[Form]) -> list[Row]:
+    """Rows with their constants: of slips on belts that move one follows from the other only where these do."""
+    return [(*form.coefficients, form.constant) for form in forms]
+
+
 def hold_together(system: System, frictions: Sequence[Friction]) -> Held:
     """How frictions hold together in a system in which nothing is held; in a plane, what follows from others is left out.
 
     Raises:
-        Singular: too many of them follow from each other.
+        Singular: too many of them follow from each other, or they cannot hold at one time.
     """
     g, own = system.graph, [form.coefficients for form in system.constraints]
     rows, leading, following = list(own), list[Friction](), list[Friction]()
@@ -167,6 +172,9 @@ def hold_together(system: System, frictions: Sequence[Friction]) -> Held:
     width = len(rows) - len(own)
     plane = [j for j, wide in enumerate(len(f.forms) > 1 for f in leading for _ in f.forms) if wide]
     following = [friction for friction in following if len(friction.forms) == 1]
+    whole = _list_whole((*system.constraints, *(form for friction in leading for form in friction.forms)))
+    if rank(g, [*whole, *_list_whole([friction.forms[0] for friction in following])]) > len(whole):
+        raise Singular
     tied = [
         Part(friction, row[len(own) :], row[: len(own)])
         for friction, row in zip(following, _follow(g, rows, following), strict=True)
