@@ -178,7 +178,7 @@ def hold_together(system: System, frictions: Sequence[Friction]) -> Held:
     tied = [
         Part(friction, row[len(own) :], row[: len(own)])
         for friction, row in zip(following, _follow(g, rows, following), strict=True)
-        if all(row[len(own) + j] == g.zero for j in plane)
+        if all(row[len(own) + j] == g.zero for j in plane) and any(x != g.zero for x in row[len(own) :])
     ]
     unit = [tuple(g.one if i == j else g.zero for j in range(width)) for i in range(width)]
     releases, alone, single, place = list[Release](), list[tuple[Friction, tuple[Row, ...]]](), list[Part](), 0
