@@ -17,7 +17,7 @@ from nhc.language.expressions.names import fold, is_name
 from nhc.language.expressions.one_forms import check_form
 from nhc.language.expressions.parser import parse_expression
 from nhc.language.expressions.syntax import Name, Number, Syntax
-from nhc.language.keys import INSTEAD, LONGEST_SYSTEM, SPEC_KEYS, SYSTEM_PATTERN, VERSION
+from nhc.language.keys import INSTEAD, SPEC_KEYS, SYSTEM_PATTERN, VERSION
 from nhc.language.order import order_definitions
 from nhc.language.rotation import (
     coordinates_of,
@@ -150,9 +150,7 @@ class _Decoder:
             bare = "".join(x for x in unicodedata.normalize("NFKD", fold(text.value)) if not unicodedata.combining(x))
             better = re.sub("[^a-z0-9_]+", "_", bare.lower()).strip("_")
             help = f"write `{better}`" if re.fullmatch(SYSTEM_PATTERN, better) else "write a name such as `my_system`"
-            message = f"`{text.value[:40]}` is no name of a system: lower case letters, digits and `_`, a letter first"
-            if len(text.value) > LONGEST_SYSTEM:
-                message = f"the name of a system has at most {LONGEST_SYSTEM} characters, this has {len(text.value)}"
+            message = f"`{text.value}` is no name of a system: lower case letters, digits and `_`, a letter first"
             self.bag.error("E0310", message, text.span, help=(help,))
         return text.value
 

@@ -6,8 +6,7 @@ from nhc.language.spec import FORMULATIONS, ROTATION_FRAMES
 from nhc.records import record
 
 VERSION = 1
-LONGEST_SYSTEM = 100  # file systems allow 255, of which `_main.partial.csv` and the like take their part
-SYSTEM_PATTERN = f"[a-z][a-z0-9_]{{0,{LONGEST_SYSTEM - 1}}}"
+SYSTEM_PATTERN = "[a-z][a-z0-9_]*"
 START_FORMS = (("axis", "angle"), ("order", "angles"), ("yaw", "pitch", "roll"))
 """The keys of each form that the start of a rotation may have."""
 Forms = tuple[tuple[str, ...], ...]

@@ -25,7 +25,7 @@ rotation: {R: {velocities: [p, q, r]}}
 parameters: {A: 1, B: 1.5, C: 2.1}
 T: (A*p^2+B*q^2+C*r^2)/2
 constraints:
-  - ves: R_z1*p + R_z2*q + R_z3*r = 0
+  - ves: R_z1*p + 2*R_z2*q + R_z3*r = 0
 scenes: {go: {initial: {p: 0.4, q: 0.9}, time: [0, 30], tolerance: 1e-8}}
 """,
 )
