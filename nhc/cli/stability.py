@@ -102,8 +102,7 @@ def command(
         advice = [f"`nhc run`: {found.conduct[-1]}"] if found.stopped else []
         if found.conduct and not advice:
             advice = [f"`nhc run` ends this scene: {found.conduct[0]}"]
-            if "the run goes on with" in found.conduct[0]:
-                advice = ["`nhc run` ends this scene in other formulations: leave `--formulation` out"]
+            advice += ["leave `--formulation` out, if it is that which fails"] if formulation else []
         raise Failure(f"the scene cannot be studied: {found.failed}", advice, exit=Exit.NUMERICAL)
     if question.sweep is not None and (found.motion is None or found.motion.swept is None):
         why = dict(found.missing).get("steady motion", "no steady motion")

@@ -323,9 +323,7 @@ def check_name(text: Text, bag: Bag) -> bool:
     return False
 
 
-@lru_cache(
-    maxsize=4096
-)  # a tree is itself alone, and of a spec of which parts are left out it is asked some thousand times
+@lru_cache(maxsize=4096)  # trees compare by identity; a spec of which parts are left out asks some thousand times
 def names_in(tree: Syntax) -> tuple[str, ...]:
     """Return the names that stand in an expression, or whose differentials do, each once, in the order of their first places."""
     return tuple(dict.fromkeys(node.name for node in walk(tree) if isinstance(node, Name | Differential)))

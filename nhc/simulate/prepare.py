@@ -21,14 +21,13 @@ from nhc.program.runs.clock import find_stops
 from nhc.program.runs.hold import TORN_HOLD, hold_functions, tell_torn
 from nhc.program.runs.leaps import find_leaps
 from nhc.program.runs.needed import Column, list_checks, list_columns, needed_function, planned_sketch
-from nhc.program.runs.sharing import Held, list_corrections, put_values
+from nhc.program.runs.sharing import NO_FRICTION, Held, list_corrections, put_values
 from nhc.program.runs.structure import Structure, structure_of
 from nhc.program.runs.watch import Event, Watch, watch_function
 from nhc.records import record
 from nhc.simulate.stepping_over import Jumping, find_jumping
 
 _NOTHING = Sketch()
-_NOTHING_HELD = Held()
 
 
 @record
@@ -51,7 +50,7 @@ class Recipe:
     draw: bool = False
     weak: bool = False
     until: str = ""
-    held: Held = _NOTHING_HELD
+    held: Held = NO_FRICTION
     fixed: bool = True
 
 

@@ -12,8 +12,6 @@ rest slips.
 
 from __future__ import annotations
 
-import math
-import operator
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
@@ -24,7 +22,8 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.rebuilding import substitute
 from nhc.algebra.solving.linear import solve
-from nhc.mechanics.regular.trials import sampled_rows, trial_points
+from nhc.mechanics.choosing.independence import independence
+from nhc.mechanics.regular.trials import trial_points
 from nhc.mechanics.system import Form, System
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.friction import Friction, list_signs
@@ -75,6 +74,9 @@ class Held:
     def names(self) -> set[str]:
         """Of the constraints that stand for friction."""
         return {form.name for friction in self.leading for form in friction.forms}
+
+
+NO_FRICTION = Held()
 
 
 def list_releases(planner: Planner, held: Held) -> list[Node]:
@@ -164,7 +166,13 @@ def hold_together(system: System, frictions: Sequence[Friction]) -> Held:
     """
     g, own = system.graph, [form.coefficients for form in system.constraints]
     rows, leading, following = list(own), list[Friction](), list[Friction]()
-    for friction in sorted(frictions, key=lambda friction: (-len(friction.forms), -_least_left(system, friction))):
+    points = trial_points(system)
+
+    def order(friction: Friction) -> tuple[int, float]:
+        """A slip that the constraints hold at some place by themselves is no good constraint there."""
+        return -len(friction.forms), -round(independence(system, friction.forms[:1], points), 2)
+
+    for friction in sorted(frictions, key=order):
         new = [form.coefficients for form in friction.forms]
         free = rank(g, [*rows, *new]) == len(rows) + len(new)
         (leading if free else following).append(friction)
@@ -195,30 +203,6 @@ def hold_together(system: System, frictions: Sequence[Friction]) -> Held:
     known = [*leading, *(part.friction for part in tied)]
     held = tuple(x for x in frictions if x in known)
     return Held(held, tuple(leading), tuple(releases), tuple(alone), tuple(map(tuple, groups)))
-
-
-def _least_left(system: System, friction: Friction) -> float:
-    """What the constraints leave of a row at the worst of the trial points, in hundredths of its length: a slip that they hold at
-    some place by themselves is no good constraint there.
-    """
-    forms, least = (*system.constraints, friction.forms[0]), 1.0
-    for matrix in sampled_rows(system, forms, trial_points(system)):
-        space = list[list[float]]()
-        for row in matrix[:-1]:
-            left = _take_out(row, space)
-            length = math.hypot(*left)
-            space += [[x / length for x in left]] if length > 0.0 else []
-        whole = math.hypot(*matrix[-1])
-        least = min(least, math.hypot(*_take_out(matrix[-1], space)) / whole) if whole > 0.0 else 0.0
-    return round(least, 2)
-
-
-def _take_out(row: Sequence[float], space: Sequence[Sequence[float]]) -> list[float]:
-    left = list(row)
-    for one in space:
-        part = sum(map(operator.mul, left, one))
-        left = [a - part * b for a, b in zip(left, one, strict=True)]
-    return left
 
 
 def _follow(graph: Graph, rows: Sequence[Row], following: Sequence[Friction]) -> list[Row]:

@@ -36,7 +36,7 @@ from nhc.program.plan import GuardPlan, SolvePlan
 from nhc.program.planning.base import MASS_LOST
 from nhc.program.planning.planner import Planner
 from nhc.program.runs.nearness import are_masses_regular, find_nearness
-from nhc.program.runs.sharing import Held, list_releases, put_values
+from nhc.program.runs.sharing import NO_FRICTION, Held, list_releases, put_values
 from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)
@@ -53,7 +53,6 @@ SLIGHT = Fraction(1, 10**8)
 RANK_LOST = "the constraints lose rank"
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
-_NOTHING_HELD = Held()
 _MOST_ROWS = 4  # of a matrix whose determinant is written out
 
 
@@ -134,7 +133,7 @@ def watch_function(
     weak: bool,
     known: dict[Node, tuple[float, float]],
     starts: Sequence[Mapping[Node, float]],
-    held: Held = _NOTHING_HELD,
+    held: Held = NO_FRICTION,
 ) -> tuple[Function | None, Watch]:
     """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
 
